@@ -1,0 +1,57 @@
+#include "command.hpp"
+
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+
+namespace scanfuse::app {
+
+std::atomic<bool> interrupted{false};
+
+int report_error(const Error& error) {
+  fmt::print(stderr, "scanfuse: error: {}\n", error.message);
+  return kBadInput;
+}
+
+int report_diagnostics(const Diagnostics& diagnostics, bool quiet) {
+  for (const auto& [what, entry] : diagnostics.entries()) {
+    if (quiet && !entry.damage) continue;
+    fmt::print(stderr, "scanfuse: {}: {} ({}x{}{})\n", entry.damage ? "damage" : "note", what,
+               entry.count, entry.first.empty() ? "" : ", first at ", entry.first);
+  }
+  return diagnostics.any_damage() ? kDamagedInput : kDone;
+}
+
+namespace {
+
+std::int64_t now_ms() {
+  using namespace std::chrono;
+  return duration_cast<milliseconds>(steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+Progress::Progress(std::string label, bool quiet)
+    : label_(std::move(label)), shown_(!quiet && isatty(STDERR_FILENO) != 0) {}
+
+Progress::~Progress() {
+  if (drawn_) fmt::print(stderr, "\r\033[K");
+}
+
+void Progress::update(std::int64_t done, std::int64_t total) {
+  if (!shown_) return;
+  const auto now = now_ms();
+  if (now - last_drawn_ms_ < 100) return;
+  last_drawn_ms_ = now;
+  drawn_ = true;
+  if (total > 0) {
+    const auto filled = static_cast<std::size_t>(30 * done / total);
+    fmt::print(stderr, "\r{} [{:<30}] {}/{}", label_, std::string(filled, '='), done, total);
+  } else {
+    fmt::print(stderr, "\r{} {}", label_, done);
+  }
+  std::fflush(stderr);
+}
+
+}  // namespace scanfuse::app

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+
+#include "scanfuse/geometry/pose.hpp"
+
+namespace scanfuse {
+
+/// A rectangle in the plane: centre, heading of its long axis, extent.
+struct Box2 {
+  Eigen::Vector2d centre_m = Eigen::Vector2d::Zero();
+  double heading_rad = 0;
+  double length_m = 0;
+  double width_m = 0;
+
+  [[nodiscard]] Pose2 pose() const { return {centre_m.x(), centre_m.y(), heading_rad}; }
+
+  /// Front left, rear left, rear right, front right.
+  [[nodiscard]] std::array<Eigen::Vector2d, 4> corners() const {
+    const double l = length_m / 2, w = width_m / 2;
+    const Pose2 p = pose();
+    return {p * Eigen::Vector2d(l, w), p * Eigen::Vector2d(-l, w), p * Eigen::Vector2d(-l, -w),
+            p * Eigen::Vector2d(l, -w)};
+  }
+  [[nodiscard]] bool contains(const Eigen::Vector2d& point, double margin_m = 0) const {
+    const Eigen::Vector2d local = pose().inverse() * point;
+    return std::abs(local.x()) <= length_m / 2 + margin_m &&
+           std::abs(local.y()) <= width_m / 2 + margin_m;
+  }
+};
+
+}  // namespace scanfuse
