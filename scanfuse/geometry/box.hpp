@@ -29,4 +29,14 @@ struct Box2 {
   }
 };
 
+/// The box with another extent whose faces turned to `seen_from` stay where they are: what is known
+/// of a partly seen object is its near side, not its centre.
+[[nodiscard]] inline Box2 resize_about_seen_side(const Box2& box, double length_m, double width_m,
+                                                 const Eigen::Vector2d& seen_from) {
+  const Eigen::Vector2d viewer = box.pose().inverse() * seen_from;
+  const Eigen::Vector2d shift(std::copysign((length_m - box.length_m) / 2, -viewer.x()),
+                              std::copysign((width_m - box.width_m) / 2, -viewer.y()));
+  return {box.pose() * shift, box.heading_rad, length_m, width_m};
+}
+
 }  // namespace scanfuse

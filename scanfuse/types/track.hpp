@@ -7,8 +7,6 @@
 #include "scanfuse/core/time.hpp"
 #include "scanfuse/geometry/box.hpp"
 #include "scanfuse/types/detection.hpp"
-#include "scanfuse/types/ego.hpp"
-#include "scanfuse/types/scan.hpp"
 #include "scanfuse/types/gaussian.hpp"
 #include "scanfuse/types/object_class.hpp"
 #include "scanfuse/types/truth.hpp"

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "scanfuse/geometry/box.hpp"
+
+namespace scanfuse {
+
+/// A straight run of points: its ends in order of bearing, on the fitted line.
+struct LineSegment {
+  Eigen::Vector2d first_m = Eigen::Vector2d::Zero();
+  Eigen::Vector2d last_m = Eigen::Vector2d::Zero();
+  double rms_m = 0;  ///< distance of its points from the line
+  int points = 0;
+
+  [[nodiscard]] double length_m() const { return (last_m - first_m).norm(); }
+  [[nodiscard]] double direction_rad() const {
+    const Eigen::Vector2d d = last_m - first_m;
+    return std::atan2(d.y(), d.x());
+  }
+};
+
+/// What a cluster looks like: its lines, its box, which of it was seen. Levelled sensor frame.
+struct Outline {
+  std::vector<LineSegment> lines;  ///< in order of bearing
+  Box2 box;                        ///< tight around the points, before any size prior
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< of the seen corner or face: x, y, heading
+  int faces_seen = 0;
+  bool left_end_occluded = false;   ///< the end of larger bearing is cut off by something nearer
+  bool right_end_occluded = false;
+  int points = 0;
+  double z_low_m = 0;
+  double z_high_m = 0;
+  double var_range_m2 = 0;  ///< variance of the points' ranges, a feature of [Guo]
+};
+
+}  // namespace scanfuse

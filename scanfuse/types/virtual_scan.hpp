@@ -1,0 +1,39 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "scanfuse/core/time.hpp"
+
+namespace scanfuse {
+
+/// One point of a virtual scan: the return that stands for its bearing.
+struct PlanarPoint {
+  float x_m = 0;
+  float y_m = 0;
+  float z_m = 0;
+  float range_m = 0;        ///< in the plane
+  float bearing_rad = 0;    ///< in [-pi, pi)
+  float time_offset_s = 0;
+  std::int32_t column = 0;  ///< bearing bin; neighbours differ by one
+  std::uint32_t source = 0; ///< index into Scan::returns
+  std::uint8_t support = 1; ///< layers that agree
+};
+
+/// A sweep flattened to the plane, sorted by bearing: what segmentation and shape work on.
+/// Frame: the levelled sensor frame, origin at the sensor, x forward as the ego vehicle, z up.
+struct VirtualScan {
+  Time stamp;
+  std::int64_t frame = 0;
+  std::vector<PlanarPoint> points;  ///< increasing bearing_rad
+  double step_rad = 0;              ///< between columns
+  bool full_circle = false;         ///< the last column is a neighbour of the first
+  double sigma_range_m = 0.03;      ///< range noise of the sensor
+
+  [[nodiscard]] Eigen::Vector2d position(std::uint32_t index) const {
+    return {points[index].x_m, points[index].y_m};
+  }
+};
+
+}  // namespace scanfuse
