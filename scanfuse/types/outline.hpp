@@ -30,6 +30,7 @@ struct Outline {
   bool left_end_occluded = false;   ///< the end of larger bearing is cut off by something nearer
   bool right_end_occluded = false;
   int points = 0;
+  double time_offset_s = 0;  ///< when its beams were fired, after the scan's stamp: mean of its points
   double z_low_m = 0;
   double z_high_m = 0;
   double var_range_m2 = 0;  ///< variance of the points' ranges, a feature of [Guo]
