@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <vector>
 
 #include "scanfuse/geometry/box.hpp"
@@ -33,6 +34,12 @@ struct Outline {
   double z_low_m = 0;
   double z_high_m = 0;
   double var_range_m2 = 0;  ///< variance of the points' ranges, a feature of [Guo]
+  double residual_m = 0;    ///< rms distance of all points from the seen faces
+  double inlier_share = 1;  ///< of the points, those within the noise of a seen face
+  double coverage = 1;      ///< points per column between the outermost columns
+  double var_length_m2 = 0;  ///< of the box's extent between two free ends
+  double var_width_m2 = 0;
+  std::uint32_t cluster = 0;  ///< which cluster of the scan
 };
 
 }  // namespace scanfuse
