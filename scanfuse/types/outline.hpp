@@ -25,7 +25,8 @@ struct LineSegment {
 /// What a cluster looks like: its lines, its box, which of it was seen. Levelled sensor frame.
 struct Outline {
   std::vector<LineSegment> lines;  ///< in order of bearing
-  Box2 box;                        ///< tight around the points, before any size prior
+  /// Tight around the points, before any size prior; length along the longer face, or the only one.
+  Box2 box;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< of the seen corner or face: x, y, heading
   int faces_seen = 0;
   bool left_end_occluded = false;   ///< the end of larger bearing is cut off by something nearer
