@@ -29,9 +29,9 @@ constexpr auto choices(Method) {
                     std::pair{"detection_greedy", kDetectionGreedy}};
 }
 
-/// The assignment of least total cost, where a pair left open costs `unassigned_cost` and so no pair
-/// of that cost or more is made. The graph of candidates falls into connected components; each is
-/// solved on its own, so the work grows with the crowd around an object and not with the scene.
+/// The assignment of least total cost, where a pair left open costs `unassigned_cost` and so no
+/// pair of that cost or more is made. The graph of candidates falls into connected components; each
+/// is solved on its own, so the work grows with the crowd around an object and not with the scene.
 /// Candidates in any order, finite costs, no pair twice; the result does not depend on the order.
 [[nodiscard]] Assignment assign_global(int tracks, int detections,
                                        std::span<const Candidate> candidates,

@@ -22,8 +22,8 @@ class PositionGrid {
   /// To be called once after the last `add`. Indices within a cell come back in ascending order.
   void sort() { std::sort(entries_.begin(), entries_.end()); }
 
-  /// Calls `visit(index)` for every point of the nine cells around `position_m`: all that lie within
-  /// `cell_m`, and some beyond.
+  /// Calls `visit(index)` for every point of the nine cells around `position_m`: all that lie
+  /// within `cell_m`, and some beyond.
   template <class Visit>
   void near(const Eigen::Vector2d& position_m, Visit&& visit) const {
     const std::int64_t x = cell(position_m.x()), y = cell(position_m.y());
