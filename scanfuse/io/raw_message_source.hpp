@@ -10,17 +10,16 @@
 
 namespace scanfuse::io {
 
-/// A container of serialised messages, read front to back; knows nothing of what they say.
+/// A container of serialised messages, read front to back.
 class RawMessageSource {
  public:
   virtual ~RawMessageSource() = default;
-  /// May grow while reading (files without an index); an index stays valid.
+  /// May grow while reading when the container has no index; never reordered.
   [[nodiscard]] virtual const std::vector<RawChannel>& channels() const = 0;
-  /// Topics as the container lists them; `decoded` and `is_scan` are not filled in here.
-  [[nodiscard]] virtual const RecordingInfo& info() const = 0;
-  /// The next message; nothing at the end. An error is final; damage is counted and skipped.
+  /// The next message; nothing at the end. An error is final.
   [[nodiscard]] virtual Result<std::optional<RawMessage>> next() = 0;
   [[nodiscard]] virtual const Diagnostics& diagnostics() const = 0;
+  [[nodiscard]] virtual const RecordingInfo& info() const = 0;
 };
 
 }  // namespace scanfuse::io
