@@ -14,7 +14,7 @@ const StepResult& Perception::step(const PosedScan& posed) {
   const VirtualScan& flat = flatten_(posed.scan, posed.ego_from_sensor);
   const Clusters& clusters = segment_(flat);
   const auto outlines = outline_(flat, clusters);
-  const auto detections = recognize_(flat, outlines);
+  const auto detections = recognize_(outlines);
 
   give_in_world(posed, detections);
   result_.tracks = tracker_.step(posed.scan.stamp, result_.detections);

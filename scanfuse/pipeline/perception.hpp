@@ -5,10 +5,10 @@
 #include <tuple>
 #include <vector>
 
-#include "scanfuse/classify/recognize.hpp"
+#include "scanfuse/classify/recognizer.hpp"
 #include "scanfuse/core/options.hpp"
 #include "scanfuse/pipeline/scan_feed.hpp"
-#include "scanfuse/preprocess/virtual_scan.hpp"
+#include "scanfuse/preprocess/virtual_scan_builder.hpp"
 #include "scanfuse/segment/segmenter.hpp"
 #include "scanfuse/shape/outline.hpp"
 #include "scanfuse/track/tracker.hpp"
@@ -42,7 +42,7 @@ struct PerceptionOptions {
   preprocess::PreprocessOptions preprocess;
   segment::SegmentOptions segment;
   shape::ShapeOptions shape;
-  classify::RecognizeOptions classify;
+  classify::RecognizerOptions classify;
   track::TrackerOptions track;
 };
 
