@@ -21,6 +21,8 @@ namespace scanfuse::io {
 [[nodiscard]] ObjectClass class_of(std::string_view text, const std::string& where,
                                    Diagnostics& diagnostics);
 
+[[nodiscard]] TableKind table_kind_of_header(std::string_view header);
+
 [[nodiscard]] std::string truth_header();
 [[nodiscard]] std::string truth_rows(const TruthFrame& frame);
 [[nodiscard]] std::string ego_header();
