@@ -17,11 +17,13 @@ using testing::planar_point;
 template <class T>
 class SegmentationLaws : public ::testing::Test {};
 
-using Policies = ::testing::Types<Pag, PagLiteral, Breakpoint, DistanceThreshold, Euclidean, Segmenter>;
+using Policies =
+    ::testing::Types<Pag, PagLiteral, Breakpoint, DistanceThreshold, Euclidean, Segmenter>;
 TYPED_TEST_SUITE(SegmentationLaws, Policies);
 
 static_assert(Segmentation<Pag> && Segmentation<PagLiteral> && Segmentation<Breakpoint> &&
-              Segmentation<DistanceThreshold> && Segmentation<Euclidean> && Segmentation<Segmenter>);
+              Segmentation<DistanceThreshold> && Segmentation<Euclidean> &&
+              Segmentation<Segmenter>);
 
 void expect_well_formed(const Clusters& clusters, std::size_t points) {
   std::set<std::uint32_t> seen;
