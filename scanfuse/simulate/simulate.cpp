@@ -18,9 +18,8 @@ constexpr std::array kScenarios{
     Scenario{{"lu2018-2", "a car cuts in at frame 51 and hides the other from 62 to 74"}, lu2018_2},
     Scenario{{"lu2018-3", "three cars, one leaves the view at frame 16"}, lu2018_3},
     Scenario{{"empty-road", "nobody but the ego car"}, empty_road},
-    // CR    Scenario{{"crossing", "an intersection with crossing and turning cars"}, crossing},
-    // CR    Scenario{{"road-users", "cars, pedestrians, cyclists and clutter to 60 m"},
-    // road_users},
+    Scenario{{"crossing", "an intersection with crossing and turning cars"}, crossing},
+    Scenario{{"road-users", "cars, pedestrians, cyclists and clutter to 60 m"}, road_users},
 };
 
 // An instant in the life of every simulated recording: 2018-07-01 00:00 UTC.
