@@ -1,0 +1,46 @@
+#include "scanfuse/segment/ring_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scanfuse/geometry/angles.hpp"
+
+namespace scanfuse::segment {
+namespace {
+constexpr float kShortcutsPerMetre = 8;
+}
+
+RingGrid::RingGrid(double smallest_m, double growth, double range_max_m) {
+  double inner = 0;
+  while (inner < range_max_m) {
+    const double size = std::max({smallest_m, growth * inner, 0.01});
+    edges_.push_back(static_cast<float>(inner));
+    counts_.push_back(
+        std::max(1, static_cast<std::int32_t>(std::ceil(2 * kPi * (inner + size / 2) / size))));
+    inner += size;
+  }
+  edges_.push_back(static_cast<float>(inner));
+  std::int32_t ring = 0;
+  const auto shortcuts = static_cast<std::size_t>(inner * kShortcutsPerMetre) + 2;
+  for (std::size_t i = 0; i < shortcuts; ++i) {
+    const float range = static_cast<float>(i) / kShortcutsPerMetre;
+    while (ring + 1 < static_cast<std::int32_t>(counts_.size()) &&
+           edges_[static_cast<std::size_t>(ring) + 1] <= range) {
+      ++ring;
+    }
+    shortcut_.push_back(ring);
+  }
+}
+
+CellTable::Cell RingGrid::cell(float range_m, float bearing_rad) const {
+  const auto place =
+      std::min(static_cast<std::size_t>(range_m * kShortcutsPerMetre), shortcut_.size() - 1);
+  auto ring = static_cast<std::size_t>(shortcut_[place]);
+  while (ring + 1 < counts_.size() && edges_[ring + 1] <= range_m) ++ring;
+  const std::int32_t around = counts_[ring];
+  const double turn = (static_cast<double>(bearing_rad) + kPi) / (2 * kPi);
+  const auto column = static_cast<std::int32_t>(turn * around);
+  return {static_cast<std::int32_t>(ring), std::clamp(column, 0, around - 1)};
+}
+
+}  // namespace scanfuse::segment
