@@ -6,13 +6,18 @@
 namespace scanfuse::classify {
 namespace {
 
-/// Of a single face. A cut one may be any part of a vehicle that is not too small to tell.
+/// Of a single face. A cut one may be any part of a vehicle that is not too small to tell; many
+/// points in a line tell sooner.
 double score_of_single(const Outline& outline, const RecognizerOptions& o) {
   const double face = outline.box.length_m;
   const bool left = outline.left_end_occluded, right = outline.right_end_occluded;
   const double slack = o.size_slack_m;
-  if (left && right) return o.both_cut_score * membership(face, o.min_cut_m, o.max_length_m, slack);
-  if (left || right) return membership(face, o.min_cut_m, o.max_length_m, slack);
+  constexpr int kManyPoints = 20;
+  constexpr double kVeryStraight = 0.97;
+  const bool sure = outline.points >= kManyPoints && outline.inlier_share >= kVeryStraight;
+  const double shortest = sure ? 0.7 * o.min_cut_m : o.min_cut_m;
+  if (left && right) return o.both_cut_score * membership(face, shortest, o.max_length_m, slack);
+  if (left || right) return membership(face, shortest, o.max_length_m, slack);
   return std::max(membership(face, o.min_width_m, o.max_width_m, slack),
                   membership(face, o.min_length_m, o.max_length_m, slack));
 }
