@@ -17,7 +17,7 @@ using Column = std::array<float, kMostFacePoints>;
 struct FacePoints {
   Eigen::Vector2d pivot = Eigen::Vector2d::Zero();
   std::size_t count = 0;
-  Column x{}, y{}, beam_x{}, beam_y{};
+  Column x, y, beam_x, beam_y;  ///< the first `count` are set
 };
 
 FacePoints thin(std::span<const Eigen::Vector2d> points) {
@@ -53,7 +53,7 @@ struct Sides {
 /// Every point against its side: squared residual in sigmas, residual, place along the side, weight
 /// over variance, and 1 where the side is the first.
 struct Residuals {
-  Column z2{}, r{}, along{}, w{}, is_first{};
+  Column z2, r, along, w, is_first;
 };
 
 /// What the residuals tell about the sides.
@@ -121,7 +121,7 @@ class FaceFitter {
                              : (before[0] > before[1] ? 0 : 1)] = true;
   }
 
-  /// Fills residuals_. Written so that the compiler makes four points of one instruction.
+  /// Fills residuals_. Without branches, so that compilers make it vector code.
   void measure(Sides& sides) {
     const auto n = sides.normals();
     see(sides, n);
@@ -131,19 +131,22 @@ class FaceFitter {
     const float far0 = sides.seen[0] ? 0.0f : 1e12f, far1 = sides.seen[1] ? 0.0f : 1e12f;
     const float range = variance_range_, surface = variance_surface_;
     const auto& p = points_;
+    auto& out = residuals_;
     for (std::size_t i = 0; i < p.count; ++i) {
       const float r0 = n0x * p.x[i] + n0y * p.y[i] - o0, r1 = n1x * p.x[i] + n1y * p.y[i] - o1;
+      const float t0 = n0x * p.y[i] - n0y * p.x[i], t1 = n1x * p.y[i] - n1y * p.x[i];
       const float s0 = n0x * p.beam_x[i] + n0y * p.beam_y[i];
       const float s1 = n1x * p.beam_x[i] + n1y * p.beam_y[i];
       const float v0 = surface + range * s0 * s0, v1 = surface + range * s1 * s1;
-      const bool first = (r0 * r0 + far0) * v1 <= (r1 * r1 + far1) * v0;
-      const float r = first ? r0 : r1, v = first ? v0 : v1;
+      const float first = (r0 * r0 + far0) * v1 <= (r1 * r1 + far1) * v0 ? 1.0f : 0.0f;
+      const float second = 1.0f - first;
+      const float r = first * r0 + second * r1, v = first * v0 + second * v1;
       const float z2 = r * r / v;
-      residuals_.z2[i] = z2;
-      residuals_.r[i] = r;
-      residuals_.along[i] = first ? n0x * p.y[i] - n0y * p.x[i] : n1x * p.y[i] - n1y * p.x[i];
-      residuals_.w[i] = kCauchyScale2 / ((kCauchyScale2 + z2) * v);
-      residuals_.is_first[i] = first ? 1.0f : 0.0f;
+      out.z2[i] = z2;
+      out.r[i] = r;
+      out.along[i] = first * t0 + second * t1;
+      out.w[i] = kCauchyScale2 / ((kCauchyScale2 + z2) * v);
+      out.is_first[i] = first;
     }
   }
 

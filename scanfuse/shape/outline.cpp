@@ -72,7 +72,7 @@ ShapeOptions to_scale(ShapeOptions options) {
   for (double* length :
        {&options.outline.max_extent_m, &options.outline.max_end_gap_m, &options.iepf.threshold_m,
         &options.iepf.merge_gap_m, &options.iepf.min_length_m, &options.faces.surface_sigma_m,
-        &options.faces.min_face_m, &options.occlusion.nearer_by_m}) {
+        &options.faces.min_face_m, &options.occlusion.nearer_by_m, &options.occlusion.beside_m}) {
     *length *= scale;
   }
   options.outline.scale = 1;
