@@ -65,8 +65,8 @@ json fields(const Footer& r) {
           {"summary_start", n(r.summary_start)}};
 }
 json fields(const Schema& r) {
-  return {{"data", bytes_json(r.data)}, {"encoding", r.encoding}, {"id", n(r.id)},
-          {"name", r.name}};
+  return {
+      {"data", bytes_json(r.data)}, {"encoding", r.encoding}, {"id", n(r.id)}, {"name", r.name}};
 }
 json fields(const Channel& r) {
   return {{"id", n(r.id)},
@@ -91,9 +91,12 @@ json fields(const CheckedAttachment& r) {
           {"name", r.attachment.name}};
 }
 json fields(const AttachmentIndex& r) {
-  return {{"create_time", n(r.create_time)}, {"data_size", n(r.data_size)},
-          {"length", n(r.length)},           {"log_time", n(r.log_time)},
-          {"media_type", r.media_type},      {"name", r.name},
+  return {{"create_time", n(r.create_time)},
+          {"data_size", n(r.data_size)},
+          {"length", n(r.length)},
+          {"log_time", n(r.log_time)},
+          {"media_type", r.media_type},
+          {"name", r.name},
           {"offset", n(r.offset)}};
 }
 json fields(const ChunkIndex& r) {
@@ -118,9 +121,7 @@ json fields(const Statistics& r) {
           {"metadata_count", n(r.metadata_count)},
           {"schema_count", n(r.schema_count)}};
 }
-json fields(const Metadata& r) {
-  return {{"metadata", texts_json(r.metadata)}, {"name", r.name}};
-}
+json fields(const Metadata& r) { return {{"metadata", texts_json(r.metadata)}, {"name", r.name}}; }
 json fields(const MetadataIndex& r) {
   return {{"length", n(r.length)}, {"name", r.name}, {"offset", n(r.offset)}};
 }
@@ -144,20 +145,34 @@ json described(const char* type, const RawRecord& raw) {
 
 json described(const RawRecord& raw) {
   switch (static_cast<Opcode>(raw.opcode)) {
-    case Opcode::kHeader: return described<Header>("Header", raw);
-    case Opcode::kFooter: return described<Footer>("Footer", raw);
-    case Opcode::kSchema: return described<Schema>("Schema", raw);
-    case Opcode::kChannel: return described<Channel>("Channel", raw);
-    case Opcode::kMessage: return described<MessageView>("Message", raw);
-    case Opcode::kChunkIndex: return described<ChunkIndex>("ChunkIndex", raw);
-    case Opcode::kAttachment: return described<CheckedAttachment>("Attachment", raw);
-    case Opcode::kAttachmentIndex: return described<AttachmentIndex>("AttachmentIndex", raw);
-    case Opcode::kStatistics: return described<Statistics>("Statistics", raw);
-    case Opcode::kMetadata: return described<Metadata>("Metadata", raw);
-    case Opcode::kMetadataIndex: return described<MetadataIndex>("MetadataIndex", raw);
-    case Opcode::kSummaryOffset: return described<SummaryOffset>("SummaryOffset", raw);
-    case Opcode::kDataEnd: return described<DataEnd>("DataEnd", raw);
-    default: return nullptr;
+    case Opcode::kHeader:
+      return described<Header>("Header", raw);
+    case Opcode::kFooter:
+      return described<Footer>("Footer", raw);
+    case Opcode::kSchema:
+      return described<Schema>("Schema", raw);
+    case Opcode::kChannel:
+      return described<Channel>("Channel", raw);
+    case Opcode::kMessage:
+      return described<MessageView>("Message", raw);
+    case Opcode::kChunkIndex:
+      return described<ChunkIndex>("ChunkIndex", raw);
+    case Opcode::kAttachment:
+      return described<CheckedAttachment>("Attachment", raw);
+    case Opcode::kAttachmentIndex:
+      return described<AttachmentIndex>("AttachmentIndex", raw);
+    case Opcode::kStatistics:
+      return described<Statistics>("Statistics", raw);
+    case Opcode::kMetadata:
+      return described<Metadata>("Metadata", raw);
+    case Opcode::kMetadataIndex:
+      return described<MetadataIndex>("MetadataIndex", raw);
+    case Opcode::kSummaryOffset:
+      return described<SummaryOffset>("SummaryOffset", raw);
+    case Opcode::kDataEnd:
+      return described<DataEnd>("DataEnd", raw);
+    default:
+      return nullptr;
   }
 }
 
@@ -263,8 +278,7 @@ TEST(McapConformance, RewritingAFileWithItsFeaturesGivesTheSameBytes) {
   int equal = 0, tried = 0;
   for (const auto& path : files) {
     const json expected = expected_json(path);
-    const auto features =
-        expected["meta"]["variant"]["features"].get<std::set<std::string>>();
+    const auto features = expected["meta"]["variant"]["features"].get<std::set<std::string>>();
     if (features.contains("pad")) continue;
     ++tried;
     const bool same = rewritten(path, options_of(features)) == file_bytes(path);

@@ -145,8 +145,6 @@ Result<void> Writer::close_chunk() {
   if (options_.message_index) {
     const std::uint64_t index_start = offset_;
     for (auto& [channel, index] : chunk_.index) {
-      std::stable_sort(index.entries.begin(), index.entries.end(),
-                       [](const auto& a, const auto& b) { return a.log_time < b.log_time; });
       entry->message_index_offsets[channel] = offset_;
       append(scratch_, index);
       if (auto done = flush(scratch_); !done) return done;

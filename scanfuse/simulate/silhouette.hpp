@@ -1,0 +1,20 @@
+#pragma once
+
+#include <functional>
+
+#include "scanfuse/simulate/world.hpp"
+
+namespace scanfuse::simulate {
+
+/// The bearings between which an actor's footprint is seen, in the sensor's planar frame.
+struct Silhouette {
+  double right_rad = 0;
+  double left_rad = 0;
+};
+[[nodiscard]] Silhouette silhouette(const Polygon& footprint, const Pose2& world_from_actor,
+                                    const Pose2& world_from_sensor);
+
+/// Where a function with one change of sign in [low, high] crosses zero (bisection).
+[[nodiscard]] double find_zero(const std::function<double(double)>& f, double low, double high);
+
+}  // namespace scanfuse::simulate
