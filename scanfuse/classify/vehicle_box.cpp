@@ -118,6 +118,7 @@ void fill_common(const Outline& outline, Detection& detection) {
   detection.left_end_occluded = outline.left_end_occluded;
   detection.right_end_occluded = outline.right_end_occluded;
   detection.points = outline.points;
+  detection.time_offset_s = outline.time_offset_s;
   const LineSegment* longest = nullptr;
   for (const LineSegment& line : outline.lines) {
     if (!longest || line.length_m() > longest->length_m()) longest = &line;

@@ -33,9 +33,10 @@ std::size_t first_behind_seam(const VirtualScan& scan, std::span<const std::uint
 void set_summary(const VirtualScan& scan, std::span<const std::uint32_t> order, Outline& outline) {
   const PlanarPoint& front = scan.points[order.front()];
   outline.z_low_m = outline.z_high_m = front.z_m;
-  double sum = 0, squares = 0;
+  double sum = 0, squares = 0, offsets = 0;
   for (const std::uint32_t i : order) {
     const PlanarPoint& p = scan.points[i];
+    offsets += p.time_offset_s;
     outline.z_low_m = std::min<double>(outline.z_low_m, p.z_m);
     outline.z_high_m = std::max<double>(outline.z_high_m, p.z_m);
     const double d = p.range_m - front.range_m;
@@ -43,6 +44,7 @@ void set_summary(const VirtualScan& scan, std::span<const std::uint32_t> order, 
     squares += d * d;
   }
   const auto count = static_cast<double>(order.size());
+  outline.time_offset_s = offsets / count;
   outline.var_range_m2 = std::max(squares / count - (sum / count) * (sum / count), 0.0);
   double span = scan.points[order.back()].bearing_rad - front.bearing_rad;
   if (span < 0) span += 2 * kPi;

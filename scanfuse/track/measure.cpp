@@ -86,6 +86,7 @@ Measurement measure(const Detection& detection, double heading_rad, const Tracke
   Measurement m;
   m.H.setZero();
   m.H.leftCols<4>() = estimate::position_of_constant_velocity();
+  m.H(0, kVx) = m.H(1, kVy) = detection.time_offset_s;
   const int quarters = nearest_quarter(detection, heading_rad);
   m.heading_rad = wrap_pi(detection.box.heading_rad + quarters * kPi / 2);
   m.var_heading_rad2 = sound_covariance(detection.covariance)(2, 2);

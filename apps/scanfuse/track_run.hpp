@@ -1,0 +1,59 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "command.hpp"
+#include "scanfuse/evaluate/evaluate.hpp"
+#include "scanfuse/pipeline/config.hpp"
+
+namespace scanfuse::app {
+
+/// What `track` was asked to do.
+struct TrackRequest {
+  std::string input;
+  std::vector<std::string> outputs;  ///< .mcap, .csv, .jsonl
+  std::string detections;            ///< CSV to write, or empty
+  std::string report;                ///< HTML to write, or empty
+  std::string preset = "vehicle-pag";
+  std::string config;
+  std::vector<std::string> set;
+  std::string frame;
+  std::vector<std::string> topics;
+  std::string ego_topic;
+  std::string ego_file;
+  std::vector<double> mount;  ///< x, y, yaw
+  bool paper_axes = false;
+  bool json = false;
+};
+
+/// What came of it.
+struct TrackOutcome {
+  std::int64_t scans = 0;
+  std::int64_t returns = 0;
+  std::int64_t detections = 0;
+  std::int64_t tracks = 0;  ///< that were ever confirmed
+  double median_scan_s = 0;
+  double p99_scan_s = 0;
+  std::optional<Time> first;
+  std::optional<Time> last;
+  std::optional<evaluate::Evaluation> score;  ///< when the recording carries truth
+  Diagnostics diagnostics;
+  bool stopped = false;  ///< by Ctrl-C
+};
+
+/// The options of the preset, then the file, then --set and --frame.
+[[nodiscard]] Result<pipeline::PerceptionOptions> resolve_options(const TrackRequest& request);
+
+[[nodiscard]] Result<TrackOutcome> run_track(const TrackRequest& request,
+                                             const CommonOptions& common);
+
+/// The same tracker on detections by any detector, from a table.
+[[nodiscard]] Result<TrackOutcome> run_track_on_detections(const TrackRequest& request,
+                                                           const CommonOptions& common);
+
+}  // namespace scanfuse::app
