@@ -113,7 +113,7 @@ Chart difference_chart(const TrackCurve& curve, std::int64_t id) {
           "frame",
           "difference [m]",
           {axis_series("x, lateral", curve.frame, difference, 0, kLine),
-           axis_series("y, forward", curve.frame, difference, 1, kDashed),
+           axis_series("y, forward", curve.frame, difference, 1, kLine),
            {},
            missed_series(curve)}};
 }
