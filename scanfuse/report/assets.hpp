@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string_view>
+
+namespace scanfuse::report {
+
+/// The files viewer.js and page.css, embedded when building.
+[[nodiscard]] std::string_view viewer_script();
+[[nodiscard]] std::string_view page_style();
+
+}  // namespace scanfuse::report

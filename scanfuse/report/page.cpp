@@ -1,0 +1,104 @@
+#include "scanfuse/report/page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "scanfuse/report/assets.hpp"
+#include "scanfuse/report/svg_plot.hpp"
+
+namespace scanfuse::report {
+namespace {
+
+using Rows = std::vector<std::pair<std::string, std::string>>;
+
+std::string value_table(std::string_view title, const Rows& rows) {
+  if (rows.empty()) return "";
+  std::string html = fmt::format("<section class=\"card\"><h2>{}</h2><table>", title);
+  for (const auto& [name, value] : rows) {
+    html += fmt::format("<tr><th>{}</th><td>{}</td></tr>", escape_html(name), escape_html(value));
+  }
+  return html + "</table></section>\n";
+}
+
+Rows summary_rows(const TrackReport& report, const TrackReportHeader& header) {
+  const auto confirmed = std::count_if(report.lives().begin(), report.lives().end(),
+                                       [](const auto& entry) { return entry.second.confirmed; });
+  Rows rows{{"frames", fmt::format("{}", report.frames_seen())},
+            {"tracks confirmed", fmt::format("{}", confirmed)},
+            {"tracks started", fmt::format("{}", report.lives().size())}};
+  rows.insert(rows.end(), header.summary.begin(), header.summary.end());
+  return rows;
+}
+
+std::string thinning_note(const TrackReport& report) {
+  std::string note;
+  if (report.frame_stride() > 1) {
+    note +=
+        fmt::format("To keep this page small it shows one frame in {}. ", report.frame_stride());
+  }
+  if (report.points_thinned()) note += "Returns are thinned in full frames. ";
+  return note.empty() ? "" : "<p class=\"note\">" + note + "All sums are over all frames.</p>";
+}
+
+constexpr std::string_view kViewer = R"html(
+<section class="card viewer" aria-label="Top view">
+<canvas id="view" tabindex="0" aria-label="Top view of returns, tracks and truth"></canvas>
+<div class="bar">
+<button id="play" title="Space">Play</button>
+<button id="back" title="Left arrow">&#9664;</button><button id="next" title="Right arrow">&#9654;</button>
+<input id="seek" type="range" min="0" max="0" value="0" step="1" aria-label="Frame">
+<output id="clock"></output>
+</div>
+<div class="bar">
+<label>speed <select id="speed"><option value="0.25">1/4</option><option value="0.5">1/2</option>
+<option value="1" selected>1</option><option value="2">2</option><option value="5">5</option>
+<option value="20">20</option></select></label>
+<label><input id="follow" type="checkbox" checked> follow ego</label>
+<label><input id="trails" type="checkbox" checked> trails</label>
+<label><input id="ellipses" type="checkbox" checked> ellipses</label>
+<label><input id="truths" type="checkbox" checked> truth</label>
+<button id="fit" title="0">Fit</button>
+<span id="picked"></span>
+</div>
+<p class="keys"><kbd>Space</kbd> play <kbd>&larr;</kbd><kbd>&rarr;</kbd> step <kbd>Home</kbd><kbd>End</kbd>
+first, last <kbd>+</kbd><kbd>-</kbd> zoom <kbd>W</kbd><kbd>A</kbd><kbd>S</kbd><kbd>D</kbd> pan <kbd>F</kbd> follow
+<kbd>0</kbd> fit <kbd>Esc</kbd> release; drag, wheel, click a track. Solid boxes are confirmed, dashed tentative,
+faded coasting, dotted truth; ellipses are 2 sigma.</p>
+</section>
+<section class="card"><h2>Tracks over time</h2><canvas id="strip" aria-label="Timeline of tracks"></canvas>
+<p class="keys">thin: tentative; full: confirmed; hollow: coasting. Click to go there.</p></section>
+)html";
+
+}  // namespace
+
+std::string track_report_page(const TrackReport& report, const TrackReportHeader& header) {
+  std::string html;
+  html += "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">";
+  html += "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">";
+  html += fmt::format("<title>{} - tracks</title>\n<style>\n", escape_html(header.input));
+  html += page_style();
+  html += fmt::format("</style></head>\n<body><header><h1>{}</h1><p>{}</p></header>\n<main>\n",
+                      escape_html(header.input), escape_html(header.configuration));
+  html += thinning_note(report);
+  html += kViewer;
+  html += "<div class=\"cards\">\n" + value_table("Run", summary_rows(report, header)) +
+          value_table("Against truth", header.metrics) +
+          value_table("Diagnostics", header.diagnostics) + "</div>\n";
+  html += "<section class=\"card\"><h2>Estimate minus measurement, beside table 2 of [Lu2018]</h2>";
+  html += difference_table(report);
+  html +=
+      "<p class=\"note\">Axes of the paper: x lateral, to the right; y forward; seen from the ego "
+      "vehicle. Frames in which a target was missed are left out, not counted as zero. A small "
+      "difference means that the estimate follows the measurement, not that it is right: the last "
+      "two columns compare with the nearest true centre within 2 m, where truth is known.</p>"
+      "</section>\n";
+  html += "<section class=\"card\"><h2>Measured and estimated, as figures 8 to 14 of [Lu2018]</h2>";
+  html += track_curves(report) + "</section>\n</main>\n";
+  html += "<script type=\"application/json\" id=\"data\">" + track_report_data(report);
+  html += "</script>\n<script>\n";
+  html += viewer_script();
+  return html + "</script></body></html>\n";
+}
+
+}  // namespace scanfuse::report
