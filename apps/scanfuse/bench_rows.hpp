@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace scanfuse::app {
+
+/// One figure of a benchmark, as `scanfuse bench NAME --json` prints it.
+struct BenchRow {
+  std::string name;
+  double value = 0;
+  std::string unit;
+  std::optional<double> peer;    ///< the same figure of another program or method, where known
+  std::optional<double> target;  ///< what the project has promised
+  bool met = true;               ///< false only where there is a target and it is missed
+};
+
+/// Which random scenes a benchmark draws: seeds first, first + 1, ...
+struct SeedRange {
+  std::uint64_t first = 1000;
+  int count = 300;
+};
+
+/// Share of vehicles that each way of segmentation cuts out right against range, with and without a
+/// stray return at 195 m; point IoU on random scenes; time per scan. Seeds 1-50 served for tuning.
+[[nodiscard]] std::vector<BenchRow> bench_segment(const SeedRange& seeds = {});
+
+}  // namespace scanfuse::app
