@@ -34,7 +34,7 @@ class Rows {
   explicit Rows(std::string scenario) : scenario_(std::move(scenario)) {}
   void add(const std::string& name, double value, const std::string& unit,
            std::optional<Goal> goal = std::nullopt) {
-    BenchRow row{scenario_ + " " + name, value, unit, {}, {}, {}};
+    BenchRow row{scenario_ + " " + name, value, unit, {}, {}, true};
     if (goal) {
       row.target = goal->value;
       row.met =
@@ -91,17 +91,18 @@ std::vector<BenchRow> rows_of(int scenario, const std::vector<TrackTrial>& trial
 
 }  // namespace
 
-Result<std::vector<BenchRow>> bench_track(const BenchOptions& options) {
-  auto config = pipeline::preset(options.preset);
+Result<std::vector<BenchRow>> bench_track(const SeedRange& range, const std::string& preset,
+                                          const std::vector<std::string>& changes, int threads) {
+  auto config = pipeline::preset(preset);
   if (!config) return tl::unexpected(config.error());
-  for (const auto& assignment : options.set) {
+  for (const auto& assignment : changes) {
     if (auto done = set_config(*config, assignment); !done) return tl::unexpected(done.error());
   }
-  const auto seeds = static_cast<std::size_t>(options.seeds);
+  const auto seeds = static_cast<std::size_t>(range.count);
   std::vector<Result<TrackTrial>> outcomes(kScenarios * seeds, TrackTrial{});
-  parallel_for(outcomes.size(), options.threads, [&](std::size_t i) {
+  parallel_for(outcomes.size(), threads, [&](std::size_t i) {
     const auto scenario = "lu2018-" + std::to_string(i / seeds + 1);
-    outcomes[i] = run_trial(scenario, options.first_seed + i % seeds, *config, lu2018_scoring());
+    outcomes[i] = run_trial(scenario, range.first + i % seeds, *config, lu2018_scoring());
   });
   std::vector<BenchRow> rows;
   for (int scenario = 0; scenario < kScenarios; ++scenario) {
