@@ -80,8 +80,9 @@ class FaceFitter {
     measure(sides);
     if (drop_weak_side(sides)) measure(sides);
     for (int i = 0; i < options_.iterations; ++i) {
-      step(sides);
+      const bool settled = step(sides);
       measure(sides);
+      if (settled) break;
     }
     if (drop_weak_side(sides)) {
       measure(sides);
@@ -207,7 +208,8 @@ class FaceFitter {
     return a;
   }
 
-  void step(Sides& sides) const {
+  /// One Gauss-Newton step; whether it moved next to nothing.
+  bool step(Sides& sides) const {
     const Values w = values(residuals_.w), first = values(residuals_.is_first);
     const Values along = values(residuals_.along), r = values(residuals_.r);
     const double r_both = (w * r).sum(), r0 = (w * first * r).sum();
@@ -216,6 +218,8 @@ class FaceFitter {
     sides.offset[0] += delta[0];
     sides.offset[1] += delta[1];
     sides.heading_rad += std::clamp(delta[2], -0.2, 0.2);
+    const double small = 0.05 * std::sqrt(static_cast<double>(variance_range_ + variance_surface_));
+    return std::abs(delta[2]) < 1e-3 && delta.head<2>().cwiseAbs().maxCoeff() < small;
   }
 
   FaceFit result(const Sides& sides) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -153,6 +154,7 @@ void OutlineExtractor::find_box(const VirtualScan& scan, Outline& outline) {
     faces.iterations = 1;
     heading = fit_segment(points_).direction_rad();
   } else {
+    if (std::ssize(outline.lines) > options_.outline.max_lines) faces.iterations = 1;
     heading = find_heading(outline, sigma);
   }
   set_box(fit_faces(points_, heading, sigma, faces), points_, cut, beams, outline);

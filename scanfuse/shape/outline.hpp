@@ -37,6 +37,7 @@ struct OutlineOptions {
   int search_steps = 18;
   int search_points = 32;
   double max_extent_m = 16;
+  int max_lines = 3;
   double max_end_gap_m = 1.0;
 
   static constexpr auto fields() {
@@ -52,6 +53,8 @@ struct OutlineOptions {
         Field{"search_points", &O::search_points, 4, 64, "bigger clusters are thinned to this"},
         Field{"max_extent_m", &O::max_extent_m, 0.1, 1000.0,
               "longer clusters are walls or hedges: one line, no box search"},
+        Field{"max_lines", &O::max_lines, 1, 1000,
+              "clusters of more lines are bushes: their box is fitted in one step"},
         Field{"max_end_gap_m", &O::max_end_gap_m, 0.0, 100.0,
               "most that a face may reach beyond its last point, between two beams"},
     };
