@@ -60,6 +60,22 @@ template <int N, int M>
   return {x.mean + K * nu.residual, 0.5 * (P + P.transpose())};
 }
 
+/// As `update`, but the states from `considered` on keep their mean and variance; what they share
+/// with the others is kept up to date (Schmidt's consider filter: the gain rows are zero, the
+/// Joseph form holds for any gain). For parameters that a measurement depends on but should not
+/// teach.
+template <int N, int M>
+[[nodiscard]] Gaussian<N> update_considering(const Gaussian<N>& x, const Gaussian<M>& z,
+                                             const Eigen::Matrix<double, M, N>& H, int considered) {
+  using State = Eigen::Matrix<double, N, N>;
+  const Innovation<M> nu = innovation(x, z, H);
+  Eigen::Matrix<double, N, M> K = x.covariance * H.transpose() * nu.covariance.inverse().eval();
+  K.bottomRows(N - considered).setZero();
+  const State A = State::Identity() - K * H;
+  const State P = A * x.covariance * A.transpose() + K * z.covariance * K.transpose();
+  return {x.mean + K * nu.residual, 0.5 * (P + P.transpose())};
+}
+
 /// error' P^-1 error: normalised estimation error squared of a belief against the truth.
 template <int N>
 [[nodiscard]] double nees(const Gaussian<N>& belief, const Eigen::Matrix<double, N, 1>& truth) {

@@ -10,6 +10,8 @@ namespace {
 
 /// Rounded corners, mirrors and ground clearance: a measured side is never better than this.
 constexpr double kSideSigma_m = 0.10;
+/// And they stay the same from scan to scan, so no number of scans makes a side better than this.
+constexpr double kLeastSigma_m = 0.08;
 /// Beyond this many deviations the belief, not the measurement, is doubted.
 constexpr double kSurprise = 3.0;
 constexpr double kShortest_m = 0.1;
@@ -35,6 +37,10 @@ void update_seen(Gaussian<kStates>& state, int place, const MeasuredSide& side) 
   measured.mean(0) = side.size_m;
   measured.covariance(0) = noise;
   state = estimate::update(state, measured, H);
+  const double least = kLeastSigma_m * kLeastSigma_m;
+  if (state.covariance(place, place) < least) {
+    replace_moment(state, place, state.mean(place), least);
+  }
 }
 
 /// Truncated normal with a soft edge: the bound itself is known to `sigma`.

@@ -9,7 +9,7 @@ namespace scanfuse::track {
 namespace {
 
 constexpr double kSlowest_m_per_s = 0.5;   ///< below, noise and motion look alike
-constexpr double kFast_m_per_s = 2;       ///< no vehicle slides sideways like this
+constexpr double kFast_m_per_s = 2;        ///< no vehicle slides sideways like this
 constexpr double kSureRatio = 4.0;         ///< speed over its deviation
 constexpr double kCourseSigma_rad = 0.05;  ///< side slip, and a box that is not quite straight
 constexpr double kYawAccel = 0.4;          ///< rad/s gained in one second when moving

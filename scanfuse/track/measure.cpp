@@ -21,10 +21,11 @@ Eigen::Matrix3d sound_covariance(const Eigen::Matrix3d& given) {
 
 double sound_variance(double given) { return std::isfinite(given) && given > 0 ? given : 1.0; }
 
-/// How many of the quarter turns the box allows bring its heading nearest to `reference_rad`.
+/// How many of the quarter turns the box allows bring its heading nearest to `reference_rad`. Which
+/// of two faces is the longer one cannot be told when only a part of the side is in view.
 int nearest_quarter(const Detection& detection, double reference_rad) {
   const double turn = wrap_pi(reference_rad - detection.box.heading_rad);
-  const bool axes_known = detection.faces_seen != 1;
+  const bool axes_known = detection.faces_seen == 0;
   if (axes_known) return 2 * static_cast<int>(std::lround(turn / kPi));
   return static_cast<int>(std::lround(turn / (kPi / 2)));
 }
@@ -66,6 +67,27 @@ void measure_box(const Detection& detection, double sigma_position_m, Measuremen
   m.position.mean = box.centre_m + half_sides * Eigen::Vector2d(box.length_m, box.width_m);
   m.position.covariance = sound_covariance(detection.covariance).topLeftCorner<2, 2>();
   m.position.covariance.diagonal().array() += sigma_position_m * sigma_position_m;
+}
+
+/// A side far shorter than believed is a part of it, whatever its ends looked like.
+bool demote_part(MeasuredSide& side, const Gaussian<kStates>& state, int place) {
+  const double missing = state.mean(place) - side.size_m;
+  const double variance = state.covariance(place, place) + side.variance_m2 + 0.01;
+  if (!side.seen || missing <= 0 || missing * missing < 9 * variance) return false;
+  side.seen = false;
+  return true;
+}
+
+/// Where a part lies along its side is not known when neither end is: uniform over what is left.
+void add_play(Measurement& m, double length_play_m, double width_play_m) {
+  const Eigen::Vector2d along(std::cos(m.heading_rad), std::sin(m.heading_rad));
+  const Eigen::Vector2d across(-along.y(), along.x());
+  const auto add = [&](const Eigen::Vector2d& axis, int place, double play_m) {
+    if (!m.H.col(place).isZero()) return;
+    m.position.covariance += play_m * play_m / 12 * axis * axis.transpose();
+  };
+  add(along, kLength, length_play_m);
+  add(across, kWidth, width_play_m);
 }
 
 }  // namespace
@@ -121,10 +143,13 @@ Measurement measure(const Detection& detection, const Target& target,
                     const TrackerOptions& options) {
   Measurement m = measure(detection, target.heading_rad(), options);
   if (options.measurement != MeasuredAs::kBox) return m;
-  const auto half_sides = m.H.rightCols<2>();
+  const bool length_in_part = demote_part(m.length, target.state, kLength);
+  const bool width_in_part = demote_part(m.width, target.state, kWidth);
+  if (length_in_part || width_in_part) measure_box(detection, options.sigma_position_m, m);
   const Eigen::Vector2d grown =
       target.state.mean.tail<2>() - Eigen::Vector2d(m.length.size_m, m.width.size_m);
-  const Eigen::Vector2d reach = half_sides * grown;
+  add_play(m, length_in_part ? grown.x() : 0, width_in_part ? grown.y() : 0);
+  const Eigen::Vector2d reach = m.H.rightCols<2>() * grown;
   const Eigen::Vector2d sideways(-reach.y(), reach.x());
   const double variance = std::min(m.var_heading_rad2, 0.25);
   m.position.covariance += variance * sideways * sideways.transpose();

@@ -41,7 +41,7 @@ struct TrackerOptions {
   Start start = Start::kVelocityPrior;
   double gate_probability = 0.999;
   double gate_distance_m = 4;
-  double unassigned_cost = 25;
+  double unassigned_cost = 10;
   double class_mismatch_cost = 4;
   double sigma_accel = 1.5;
   double sigma_velocity_m_per_s = 10;
@@ -51,6 +51,8 @@ struct TrackerOptions {
   int confirm_hits = 3;
   int confirm_window = 5;
   double coast_s = 1.6;
+  double coast_share = 0.35;
+  double coast_sigma_m = 2;
   int coast_frames = 0;
   double max_gap_s = 2;
   bool births_inside_tracks = false;
@@ -82,6 +84,10 @@ struct TrackerOptions {
         Field{"confirm_hits", &O::confirm_hits, 1, 30, "hits that confirm a track, out of"},
         Field{"confirm_window", &O::confirm_window, 1, 30, "the last so many scans"},
         Field{"coast_s", &O::coast_s, 0.0, 60.0, "a confirmed track lives so long unseen"},
+        Field{"coast_share", &O::coast_share, 0.0, 100.0,
+              "nor longer than this share of the time it had been seen"},
+        Field{"coast_sigma_m", &O::coast_sigma_m, 0.1, 100.0,
+              "nor past the scan when its place is known no better than this"},
         Field{"coast_frames", &O::coast_frames, 0, 1000,
               "when not 0: the same counted in scans, for every track"},
         Field{"max_gap_s", &O::max_gap_s, 0.1, 3600.0,

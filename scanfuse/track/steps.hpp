@@ -46,7 +46,7 @@ void reseat(Target& target, const Detection& detection, const TrackerOptions& op
 [[nodiscard]] bool is_part_of(const Detection& detection, std::span<const Target> targets);
 
 /// Whether a target is given up: tentative and no longer able to be confirmed, or unseen too long.
-/// A confirmed target is not believed unseen for longer than it had been seen.
+/// A confirmed target earns its time unseen by having been seen.
 [[nodiscard]] bool is_over(const Target& target, Time stamp, const TrackerOptions& options);
 
 /// Removes the younger of two targets that lie in one another and move alike.

@@ -13,8 +13,6 @@
 namespace scanfuse::track {
 namespace {
 
-/// An extent may have been misread: its belief fades slowly (m gained in a second).
-constexpr double kExtentDrift = 0.03;
 constexpr double kAccelMemory_s = 0.5;
 /// Distance of a detection's centre from its seen end is not bounded by the gate: search farther.
 constexpr double kLongestHalf_m = 4;
@@ -55,7 +53,6 @@ void predict(std::vector<Target>& targets, double dt_s, const TrackerOptions& op
   StateMatrix F = StateMatrix::Identity(), Q = StateMatrix::Zero();
   F.topLeftCorner<4, 4>() = estimate::constant_velocity_transition(dt_s);
   Q.topLeftCorner<4, 4>() = estimate::constant_velocity_noise(dt_s, options.sigma_accel);
-  Q(kLength, kLength) = Q(kWidth, kWidth) = kExtentDrift * kExtentDrift * dt_s;
   for (Target& target : targets) {
     target.state = estimate::predict(target.state, F, Q);
     predict_heading(target, dt_s);
@@ -90,7 +87,9 @@ void update(Target& target, const Detection& detection, int index, Time stamp, d
   const Measurement m = measure(detection, target, options);
   const double speed_before = target.velocity_m_per_s().norm();
   target.nis = estimate::innovation(target.state, m.position, m.H).nis();
-  target.state = estimate::update(target.state, m.position, m.H);
+  // The extent is not learned from positions: H turns with a noisy heading, and regression on a
+  // noisy H pulls the extent to zero.
+  target.state = estimate::update_considering(target.state, m.position, m.H, kLength);
   update_extent(target.state, m);
   update_heading(target, m);
   if (align_heading_with_course(target, dt_s)) reseat(target, detection, options);
