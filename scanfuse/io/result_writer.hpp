@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "scanfuse/core/result.hpp"
+#include "scanfuse/types/scan.hpp"
 #include "scanfuse/types/track.hpp"
 
 namespace scanfuse::io {

@@ -27,6 +27,7 @@ struct Detection {
   bool left_end_occluded = false;   ///< cut off by something nearer at its end of larger bearing
   bool right_end_occluded = false;
   int points = 0;
+  double time_offset_s = 0;  ///< when its beams were fired, after the scan's stamp: mean of its points
   Eigen::Vector2d seen_from_m = Eigen::Vector2d::Zero();  ///< the sensor, in the same frame
   /// Middle of the longest visible line: the position of [Lu2018], 1.7 to 2.3 m from the centre.
   Eigen::Vector2d visible_middle_m = Eigen::Vector2d::Zero();

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <utility>
+#include <vector>
+
+/// Who belongs to whom. Sees only numbers: rows, columns, costs.
+namespace scanfuse::associate {
+
+/// A pair inside the gate, and what it costs to believe in it.
+struct Candidate {
+  int track = 0;
+  int detection = 0;
+  double cost = 0;
+};
+
+/// One to one; -1 stands for none.
+struct Assignment {
+  std::vector<int> detection_of_track;
+  std::vector<int> track_of_detection;
+};
+
+enum class Method { kGlobal, kNearest, kDetectionGreedy };
+
+constexpr auto choices(Method) {
+  using enum Method;
+  return std::array{std::pair{"global", kGlobal}, std::pair{"nearest", kNearest},
+                    std::pair{"detection_greedy", kDetectionGreedy}};
+}
+
+/// The assignment of least total cost, where a pair left open costs `unassigned_cost` and so no
+/// pair of that cost or more is made. The graph of candidates falls into connected components; each
+/// is solved on its own, so the work grows with the crowd around an object and not with the scene.
+/// Candidates in any order, finite costs, no pair twice; the result does not depend on the order.
+[[nodiscard]] Assignment assign_global(int tracks, int detections,
+                                       std::span<const Candidate> candidates,
+                                       double unassigned_cost);
+
+/// Takes pairs from the cheapest on, each track and detection once. Ties: lower track, then
+/// detection.
+[[nodiscard]] Assignment assign_nearest(int tracks, int detections,
+                                        std::span<const Candidate> candidates,
+                                        double unassigned_cost);
+
+/// [Lu2018, sections 3.1 and 3.2]: one detection after the other takes the nearest filter that is
+/// still free. Depends on the order of the detections, as printed.
+[[nodiscard]] Assignment assign_detection_greedy(int tracks, int detections,
+                                                 std::span<const Candidate> candidates,
+                                                 double unassigned_cost);
+
+[[nodiscard]] Assignment associate(Method method, int tracks, int detections,
+                                   std::span<const Candidate> candidates, double unassigned_cost);
+
+}  // namespace scanfuse::associate

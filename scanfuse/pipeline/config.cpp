@@ -1,0 +1,76 @@
+#include "scanfuse/pipeline/config.hpp"
+
+#include <algorithm>
+
+namespace scanfuse::pipeline {
+
+std::vector<OptionView> view_config(const PerceptionOptions& options) {
+  std::vector<OptionView> all;
+  for_each_section(options, [&](std::string_view section, const auto& part) {
+    const auto views = view_options(section, part);
+    all.insert(all.end(), views.begin(), views.end());
+  });
+  return all;
+}
+
+Result<void> set_config(PerceptionOptions& options, std::string_view section,
+                        std::string_view name, std::string_view value) {
+  Result<void> outcome;
+  bool found = false;
+  std::vector<std::string> sections;
+  for_each_section(options, [&](std::string_view known, auto& part) {
+    sections.emplace_back(known);
+    if (known != section) return;
+    found = true;
+    outcome = set_option(part, name, value);
+  });
+  if (!found) {
+    return fail(Error::Code::kNotFound, "unknown section '{}'; did you mean '{}'?", section,
+                nearest_name(section, sections));
+  }
+  if (!outcome) return fail(outcome.error().code, "{}.{}", section, outcome.error().message);
+  return {};
+}
+
+Result<void> set_config(PerceptionOptions& options, std::string_view assignment) {
+  const auto equals = assignment.find('=');
+  const auto dot = assignment.substr(0, equals).find('.');
+  if (equals == std::string_view::npos || dot == std::string_view::npos) {
+    return fail(Error::Code::kMalformed, "'{}' is not of the form section.option=value",
+                assignment);
+  }
+  return set_config(options, assignment.substr(0, dot),
+                    assignment.substr(dot + 1, equals - dot - 1), assignment.substr(equals + 1));
+}
+
+std::vector<std::string> preset_names() {
+  return {"vehicle-pag", "vehicle-pag-literal", "vehicle-model"};
+}
+
+namespace {
+
+PerceptionOptions literal_chain() {
+  PerceptionOptions options;
+  options.segment.method = segment::SegmentMethod::kPagLiteral;
+  options.shape.outline.lines = shape::LineMethod::kIepfLiteral;
+  options.classify.method = classify::Method::kLu2018;
+  options.track = track::literal_options();
+  return options;
+}
+
+PerceptionOptions model_chain() {
+  PerceptionOptions options;
+  return options;
+}
+
+}  // namespace
+
+Result<PerceptionOptions> preset(std::string_view name) {
+  if (name == "vehicle-pag") return PerceptionOptions{};
+  if (name == "vehicle-pag-literal") return literal_chain();
+  if (name == "vehicle-model") return model_chain();
+  return fail(Error::Code::kNotFound, "unknown preset '{}'; did you mean '{}'? Known: {}", name,
+              nearest_name(name, preset_names()), fmt::join(preset_names(), ", "));
+}
+
+}  // namespace scanfuse::pipeline

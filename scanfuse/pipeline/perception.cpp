@@ -1,0 +1,100 @@
+#include "scanfuse/pipeline/perception.hpp"
+
+namespace scanfuse::pipeline {
+
+Perception::Perception(const PerceptionOptions& options)
+    : options_(options),
+      flatten_(options.preprocess),
+      segment_(options.segment),
+      outline_(options.shape),
+      recognize_(options.classify),
+      tracker_(options.track) {}
+
+const StepResult& Perception::step(const PosedScan& posed) {
+  virtual_scan_ = flatten_(posed.scan, posed.ego_from_sensor);
+  if (options_.pipeline.deskew) straighten(posed);
+  const Clusters& clusters = segment_(virtual_scan_);
+  const auto outlines = outline_(virtual_scan_, clusters);
+  const auto detections = recognize_(outlines);
+
+  give_in_world(posed, detections);
+  result_.tracks = tracker_.step(posed.scan.stamp, result_.detections);
+  if (options_.pipeline.frame == OutputFrame::kEgo) give_in_ego();
+  clusters_ = &clusters;
+  return result_;
+}
+
+void Perception::straighten(const PosedScan& posed) {
+  const auto& twist = posed.twist;
+  preprocess::deskew(virtual_scan_,
+                     {{twist.speed_m_per_s, twist.lateral_m_per_s}, twist.yaw_rate_rad_per_s},
+                     posed.ego_from_sensor.translation_m.head<2>());
+}
+
+void Perception::give_in_world(const PosedScan& posed, std::span<const Detection> detections) {
+  result_.stamp = posed.scan.stamp;
+  result_.frame = posed.scan.frame;
+  result_.sensor = posed.scan.sensor;
+  result_.world_from_ego = posed.world_from_ego;
+  result_.ego_from_sensor = posed.ego_from_sensor;
+  // Detections stand in the levelled sensor frame: the ego's axes, the sensor's place.
+  const Pose2 ego = posed.world_from_ego.planar();
+  const Eigen::Vector3d mount = posed.ego_from_sensor.translation_m;
+  const Pose2 world_from_level = ego * Pose2{mount.x(), mount.y(), 0};
+  const double lift = posed.world_from_ego.translation_m.z() + mount.z();
+  result_.detections.clear();
+  for (const Detection& detection : detections) {
+    result_.detections.push_back(moved(detection, world_from_level));
+    result_.detections.back().z_m += lift;
+  }
+}
+
+void Perception::give_in_ego() {
+  const Pose2 ego_from_world = result_.world_from_ego.planar().inverse();
+  const double drop = result_.world_from_ego.translation_m.z();
+  for (Detection& detection : result_.detections) {
+    detection = moved(detection, ego_from_world);
+    detection.z_m -= drop;
+  }
+  for (Track& track : result_.tracks) {
+    track = moved(track, ego_from_world);
+    track.z_m -= drop;
+  }
+}
+
+Detection moved(const Detection& detection, const Pose2& target_from_source) {
+  const Eigen::Matrix2d turn =
+      Eigen::Rotation2Dd(target_from_source.heading_rad).toRotationMatrix();
+  Eigen::Matrix3d turn3 = Eigen::Matrix3d::Identity();
+  turn3.topLeftCorner<2, 2>() = turn;
+  Detection out = detection;
+  out.box.centre_m = target_from_source * detection.box.centre_m;
+  out.box.heading_rad = wrap_pi(detection.box.heading_rad + target_from_source.heading_rad);
+  out.covariance = turn3 * detection.covariance * turn3.transpose();
+  out.seen_from_m = target_from_source * detection.seen_from_m;
+  out.visible_middle_m = target_from_source * detection.visible_middle_m;
+  return out;
+}
+
+Track moved(const Track& track, const Pose2& target_from_source) {
+  const Eigen::Matrix2d turn =
+      Eigen::Rotation2Dd(target_from_source.heading_rad).toRotationMatrix();
+  Track out = track;
+  out.box.centre_m = target_from_source * track.box.centre_m;
+  out.box.heading_rad = wrap_pi(track.box.heading_rad + target_from_source.heading_rad);
+  // State order x, vx, y, vy: positions at 0 and 2, velocities at 1 and 3.
+  Eigen::Matrix4d turn4 = Eigen::Matrix4d::Zero();
+  for (const int first : {0, 1}) {
+    turn4(first, first) = turn(0, 0);
+    turn4(first, first + 2) = turn(0, 1);
+    turn4(first + 2, first) = turn(1, 0);
+    turn4(first + 2, first + 2) = turn(1, 1);
+  }
+  out.state.mean = turn4 * track.state.mean;
+  out.state.mean[0] += target_from_source.x_m;
+  out.state.mean[2] += target_from_source.y_m;
+  out.state.covariance = turn4 * track.state.covariance * turn4.transpose();
+  return out;
+}
+
+}  // namespace scanfuse::pipeline

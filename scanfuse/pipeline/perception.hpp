@@ -1,0 +1,88 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <tuple>
+#include <vector>
+
+#include "scanfuse/classify/recognizer.hpp"
+#include "scanfuse/core/options.hpp"
+#include "scanfuse/pipeline/scan_feed.hpp"
+#include "scanfuse/preprocess/deskew.hpp"
+#include "scanfuse/preprocess/virtual_scan_builder.hpp"
+#include "scanfuse/segment/segmenter.hpp"
+#include "scanfuse/shape/outline.hpp"
+#include "scanfuse/track/tracker.hpp"
+#include "scanfuse/types/track.hpp"
+
+namespace scanfuse::pipeline {
+
+/// In which frame results are given.
+enum class OutputFrame { kWorld, kEgo };
+
+constexpr auto choices(OutputFrame) {
+  return std::array{std::pair{"world", OutputFrame::kWorld}, std::pair{"ego", OutputFrame::kEgo}};
+}
+
+struct PipelineOptions {
+  OutputFrame frame = OutputFrame::kWorld;
+  bool deskew = true;
+
+  static constexpr auto fields() {
+    using O = PipelineOptions;
+    return std::tuple{
+        Field{"frame", &O::frame, "frame of the results: world (odometry) or ego at the scan"},
+        Field{"deskew", &O::deskew, "correct each beam for the ego motion since the scan's stamp"},
+    };
+  }
+};
+
+/// Everything the chain can be told; the configuration file has one section for each part.
+struct PerceptionOptions {
+  PipelineOptions pipeline;
+  preprocess::PreprocessOptions preprocess;
+  segment::SegmentOptions segment;
+  shape::ShapeOptions shape;
+  classify::RecognizerOptions classify;
+  track::TrackerOptions track;
+};
+
+/// The whole chain: one scan in, detections and tracks out. Every arrow of docs/architecture.md is
+/// one line of `step`. Keeps its buffers, so that a steady stream allocates next to nothing; one
+/// object per stream and thread.
+class Perception {
+ public:
+  explicit Perception(const PerceptionOptions& options = {});
+
+  /// Valid until the next call. Scans of several sensors may be mixed, in order of time.
+  const StepResult& step(const PosedScan& posed);
+
+  /// What the last step saw on its way, in the levelled sensor frame: for reports.
+  [[nodiscard]] const VirtualScan& virtual_scan() const { return virtual_scan_; }
+  [[nodiscard]] const Clusters& clusters() const { return *clusters_; }
+  [[nodiscard]] Diagnostics diagnostics() const { return tracker_.diagnostics(); }
+
+ private:
+  void straighten(const PosedScan& posed);
+  void give_in_world(const PosedScan& posed, std::span<const Detection> detections);
+  void give_in_ego();
+
+  PerceptionOptions options_;
+  preprocess::VirtualScanBuilder flatten_;
+  segment::Segmenter segment_;
+  shape::OutlineExtractor outline_;
+  classify::Recognizer recognize_;
+  track::Tracker tracker_;
+  StepResult result_;
+  VirtualScan virtual_scan_;
+  const Clusters* clusters_ = nullptr;
+};
+
+/// The detection seen from another frame: `target_from_source` is planar.
+[[nodiscard]] Detection moved(const Detection& detection, const Pose2& target_from_source);
+
+/// The track in another frame that stands still over ground for the moment: positions, headings and
+/// velocities are turned, velocities stay over ground.
+[[nodiscard]] Track moved(const Track& track, const Pose2& target_from_source);
+
+}  // namespace scanfuse::pipeline

@@ -1,0 +1,177 @@
+#include "scanfuse/pipeline/scan_feed.hpp"
+
+#include <algorithm>
+
+namespace scanfuse::pipeline {
+namespace {
+
+constexpr Duration kLongestWait = std::chrono::seconds(1);
+constexpr std::size_t kMostWaiting = 256;
+constexpr Duration kMemory = std::chrono::seconds(10);
+
+bool is_odometry(const std::string& type) { return type.ends_with("Odometry"); }
+
+std::string first_known(const std::vector<std::string>& ancestry,
+                        std::initializer_list<const char*> wanted) {
+  for (const char* name : wanted) {
+    if (std::find(ancestry.begin(), ancestry.end(), name) != ancestry.end()) return name;
+  }
+  return {};
+}
+
+}  // namespace
+
+ScanFeed::ScanFeed(std::unique_ptr<io::RecordingReader> reader, FeedOptions options)
+    : reader_(std::move(reader)), options_(std::move(options)) {
+  for (const auto& sample : options_.ego) ego_.add(sample.stamp, sample.pose);
+  choose_ego_topic();
+}
+
+void ScanFeed::choose_ego_topic() {
+  std::vector<std::string> odometry;
+  for (const auto& topic : reader_->info().topics) {
+    if (is_odometry(topic.type) && topic.decoded) odometry.push_back(topic.name);
+    if (topic.type.ends_with("TFMessage") || topic.type.ends_with("tfMessage")) {
+      recording_has_tf_ = true;
+    }
+  }
+  ego_topic_ = options_.ego_topic;
+  if (!ego_topic_.empty() || odometry.empty() || !options_.ego.empty()) return;
+  const auto named = std::find(odometry.begin(), odometry.end(), "/odom");
+  ego_topic_ = named != odometry.end() ? *named : odometry.front();
+  if (odometry.size() > 1) {
+    diagnostics_.note("several odometry topics; name one with --ego-topic", "using " + ego_topic_);
+  }
+}
+
+bool ScanFeed::uses_tf() const {
+  return options_.ego.empty() && options_.ego_topic.empty() && !tree_.empty();
+}
+
+ScanFeed::Frames ScanFeed::frames_of(const std::string& sensor_frame) const {
+  const auto ancestry = tree_.ancestry(sensor_frame);
+  Frames frames;
+  frames.ego = first_known(ancestry, {"base_link", "base_footprint", "ego", "base", "vehicle"});
+  frames.world = first_known(ancestry, {"odom", "map", "world"});
+  if (frames.ego.empty()) {
+    // The highest frame that is still fixed to the sensor.
+    for (const auto& name : ancestry) {
+      if (name != frames.world && !tree_.moves(name, sensor_frame)) frames.ego = name;
+    }
+  }
+  if (frames.world.empty() && tree_.moves(ancestry.back(), sensor_frame)) {
+    frames.world = ancestry.back();
+  }
+  if (!frames.world.empty() && !tree_.lookup(frames.world, frames.ego, Time{})) frames.world = {};
+  return frames;
+}
+
+bool ScanFeed::is_ready(const Waiting& waiting) const {
+  if (at_end_ || waiting_.size() > kMostWaiting) return true;
+  if (newest_log_ - waiting.log_time > kLongestWait) return true;
+  if (!options_.ego.empty()) return true;
+  bool ready = true;
+  if (recording_has_tf_ && options_.ego_topic.empty()) {
+    const Frames frames = frames_of(waiting.scan.frame_id);
+    ready = !frames.world.empty() && tree_.covers(frames.world, frames.ego, waiting.scan.stamp);
+    if (ready) return true;
+  }
+  return ego_topic_.empty() ? !recording_has_tf_ : ego_.covers(waiting.scan.stamp);
+}
+
+Result<std::optional<PosedScan>> ScanFeed::next() {
+  while (waiting_.empty() || !is_ready(waiting_.front())) {
+    if (at_end_) return std::nullopt;
+    const auto more = read_one();
+    if (!more) return tl::unexpected(more.error());
+    at_end_ = !*more;
+  }
+  Scan scan = std::move(waiting_.front().scan);
+  waiting_.pop_front();
+  return pose(std::move(scan));
+}
+
+Result<bool> ScanFeed::read_one() {
+  auto event = reader_->next();
+  if (!event) return tl::unexpected(event.error());
+  if (!*event) return false;
+  take(std::move(**event));
+  return true;
+}
+
+void ScanFeed::take(io::Event event) {
+  newest_log_ = std::max(newest_log_, event.log_time);
+  if (auto* scan = std::get_if<Scan>(&event.payload)) {
+    waiting_.push_back({std::move(*scan), event.log_time});
+  } else if (auto* sample = std::get_if<PoseSample>(&event.payload)) {
+    take_pose(event.topic, *sample);
+  } else if (auto* edges = std::get_if<std::vector<TransformSample>>(&event.payload)) {
+    for (const auto& edge : *edges) tree_.add(edge);
+  } else if (auto* truth = std::get_if<TruthFrame>(&event.payload)) {
+    truth_.push_back(std::move(*truth));
+  }
+}
+
+void ScanFeed::take_pose(const std::string& topic, const PoseSample& sample) {
+  if (options_.ego.empty() && topic == ego_topic_) ego_.add(sample.stamp, sample.pose);
+}
+
+PosedScan ScanFeed::pose(Scan scan) {
+  const auto last = last_stamp_.find(scan.sensor);
+  if (last != last_stamp_.end() && scan.stamp < last->second) {
+    diagnostics_.note("scan older than the one before it",
+                      fmt::format("{} scan {}", scan.sensor, scan.frame));
+  }
+  last_stamp_[scan.sensor] = scan.stamp;
+  PosedScan posed;
+  posed.scan = std::move(scan);
+  place(posed);
+  if (options_.mount) posed.ego_from_sensor = *options_.mount;
+  const Time stamp = posed.scan.stamp;
+  if (options_.ego.empty()) ego_.forget_before(stamp - kMemory);
+  tree_.forget_before(stamp - kMemory);
+  return posed;
+}
+
+void ScanFeed::place(PosedScan& posed) {
+  if (uses_tf() && place_by_tf(posed)) return;
+  if (ego_.empty()) return;
+  const auto found = ego_.at(posed.scan.stamp);
+  if (found->extrapolated) {
+    diagnostics_.note("ego pose extrapolated", fmt::format("scan {}", posed.scan.frame));
+  }
+  posed.world_from_ego = found->pose;
+  posed.twist = ego_.twist_at(posed.scan.stamp);
+}
+
+bool ScanFeed::place_by_tf(PosedScan& posed) {
+  const Time stamp = posed.scan.stamp;
+  const Frames frames = frames_of(posed.scan.frame_id);
+  if (const auto mount = tree_.lookup(frames.ego, posed.scan.frame_id, stamp)) {
+    posed.ego_from_sensor = mount->pose;
+  }
+  if (frames.world.empty()) return false;
+  const auto ego = tree_.lookup(frames.world, frames.ego, stamp);
+  if (!ego) return false;
+  if (ego->extrapolated) {
+    diagnostics_.note("ego pose extrapolated", fmt::format("scan {}", posed.scan.frame));
+  }
+  posed.world_from_ego = ego->pose;
+  constexpr auto kStep = std::chrono::milliseconds(50);
+  PoseBuffer around;
+  for (const auto t : {stamp - kStep, stamp + kStep}) {
+    if (const auto at = tree_.lookup(frames.world, frames.ego, t)) around.add(t, at->pose);
+  }
+  posed.twist = around.twist_at(stamp);
+  return true;
+}
+
+std::vector<TruthFrame> ScanFeed::take_truth() { return std::exchange(truth_, {}); }
+
+Diagnostics ScanFeed::diagnostics() const {
+  Diagnostics all = reader_->diagnostics();
+  all.merge(diagnostics_);
+  return all;
+}
+
+}  // namespace scanfuse::pipeline

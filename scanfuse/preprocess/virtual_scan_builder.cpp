@@ -1,0 +1,312 @@
+#include "scanfuse/preprocess/virtual_scan_builder.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace scanfuse::preprocess {
+namespace {
+
+constexpr float kTurn = static_cast<float>(2 * kPi);
+constexpr std::size_t kCloud = 5000;  // more returns than this with a spread of heights are a cloud
+constexpr float kLowLonely = 0.3F;  // m above ground: a return without support is ground below this
+constexpr float kLowLonelyPerMetre = 0.01F;
+
+/// atan2 to 1e-5 rad, by a polynomial on the first octant.
+float quick_bearing(float x, float y) {
+  const float ax = std::abs(x), ay = std::abs(y);
+  const float larger = std::max(ax, ay), smaller = std::min(ax, ay);
+  const float a = larger > 0 ? smaller / larger : 0;
+  const float s = a * a;
+  float angle =
+      a * (0.99997726F +
+           s * (-0.33262347F +
+                s * (0.19354346F + s * (-0.11643287F + s * (0.05265332F - s * 0.01172120F)))));
+  if (ay > ax) angle = kTurn / 4 - angle;
+  if (x < 0) angle = kTurn / 2 - angle;
+  return y < 0 ? -angle : angle;
+}
+
+float exact_bearing(float x, float y) {
+  const float angle = std::atan2(y, x);
+  return angle >= static_cast<float>(kPi) ? -static_cast<float>(kPi) : angle;
+}
+
+}  // namespace
+
+const VirtualScan& VirtualScanBuilder::operator()(const Scan& scan, const Pose3& ego_from_sensor) {
+  const double height = ego_from_sensor.translation_m.z();
+  sensor_height_m_ = height > 0 ? std::optional(height) : std::nullopt;
+  const Eigen::Matrix3f rotation = ego_from_sensor.rotation.toRotationMatrix().cast<float>();
+  prepare_columns(scan, rotation);
+  project(scan, rotation);
+  const GroundMethod method = ground_method(scan);
+  remove_ground(method, sensor_height_m_);
+
+  virtual_scan_.points.clear();
+  virtual_scan_.stamp = scan.stamp;
+  virtual_scan_.frame = scan.frame;
+  virtual_scan_.sigma_range_m = options_.sigma_range_m;
+  virtual_scan_.step_rad = choose_step(scan);
+  virtual_scan_.full_circle =
+      !scan.beams || (scan.beams->columns + 0.5) * virtual_scan_.step_rad >= 2 * kPi;
+  sort_into_columns(scan);
+  pick_points(scan, method);
+  order_by_bearing();
+  drop_lonely();
+  return virtual_scan_;
+}
+
+void VirtualScanBuilder::prepare_columns(const Scan& scan, const Eigen::Matrix3f& rotation) {
+  constexpr int kMostColumns = 1 << 20;
+  const bool known = scan.beams && scan.beams->columns > 0 && scan.beams->columns < kMostColumns &&
+                     std::isfinite(scan.beams->first_azimuth_rad) && scan.beams->step_rad > 0 &&
+                     scan.beams->step_rad < 1;
+  if (!known) {
+    beams_.clear();
+    return;
+  }
+  const double yaw = std::atan2(rotation(1, 0), rotation(0, 0));
+  const double first = wrap_pi(scan.beams->first_azimuth_rad + yaw);
+  const double step = scan.beams->step_rad;
+  const auto columns = static_cast<std::size_t>(scan.beams->columns);
+  if (beams_.size() == columns && beams_first_rad_ == first && beams_step_rad_ == step) return;
+  beams_first_rad_ = first;
+  beams_step_rad_ = step;
+  beams_.resize(columns);
+  for (std::size_t i = 0; i < columns; ++i) {
+    const double angle = wrap_pi(first + static_cast<double>(i) * step);
+    beams_[i] = {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)),
+                 static_cast<float>(angle)};
+  }
+}
+
+/// The beam's direction and a small correction where the beam is known: any mounting, no atan2.
+float VirtualScanBuilder::bearing(float x, float y, std::int32_t beam) const {
+  if (beam < 0 || static_cast<std::size_t>(beam) >= beams_.size()) return quick_bearing(x, y);
+  const BeamDirection& b = beams_[static_cast<std::size_t>(beam)];
+  const float along = b.cosine * x + b.sine * y, across = b.cosine * y - b.sine * x;
+  if (!(std::abs(across) < 0.1F * along)) return quick_bearing(x, y);
+  const float d = across / along;
+  const float angle = b.bearing_rad + d - d * d * d * (1.0F / 3);
+  if (angle >= kTurn / 2) return angle - kTurn;
+  return angle < -kTurn / 2 ? angle + kTurn : angle;
+}
+
+void VirtualScanBuilder::project(const Scan& scan, const Eigen::Matrix3f& rotation) {
+  const bool turned = !rotation.isIdentity(0);
+  const auto near2 = static_cast<float>(options_.range_min_m * options_.range_min_m);
+  const auto far2 = static_cast<float>(options_.range_max_m * options_.range_max_m);
+  const auto x_min = static_cast<float>(options_.x_min_m),
+             x_max = static_cast<float>(options_.x_max_m);
+  const auto y_min = static_cast<float>(options_.y_min_m),
+             y_max = static_cast<float>(options_.y_max_m);
+  points_.clear();
+  lowest_layer_ = 32767;
+  std::int16_t highest = -32768;
+  for (std::uint32_t i = 0; i < scan.returns.size(); ++i) {
+    const Return& r = scan.returns[i];
+    Eigen::Vector3f p(r.x_m, r.y_m, r.z_m);
+    if (turned) p = rotation * p;
+    const float range2 = p.x() * p.x() + p.y() * p.y();
+    const bool inside = range2 >= near2 && range2 <= far2 && range2 > 0 && p.x() >= x_min &&
+                        p.x() <= x_max && p.y() >= y_min && p.y() <= y_max && std::isfinite(p.z());
+    if (!inside) continue;
+    points_.push_back(
+        {p.x(), p.y(), p.z(), std::sqrt(range2), bearing(p.x(), p.y(), r.beam), i, 0, r.layer});
+    lowest_layer_ = std::min(lowest_layer_, r.layer);
+    highest = std::max(highest, r.layer);
+  }
+  if (scan.beams && scan.beams->layers > 1) {
+    lowest_layer_ = 0;
+    highest = std::max(highest, static_cast<std::int16_t>(std::min(scan.beams->layers - 1, 32767)));
+  }
+  layered_ = !points_.empty() && highest > lowest_layer_;
+}
+
+GroundMethod VirtualScanBuilder::ground_method(const Scan& scan) const {
+  if (options_.ground != GroundMethod::kAuto) return options_.ground;
+  if (points_.empty()) return GroundMethod::kNone;
+  if (scan.beams) {
+    if (scan.beams->layers <= 1) return GroundMethod::kNone;
+    return scan.beams->layers <= 8 ? GroundMethod::kLayers : GroundMethod::kGrid;
+  }
+  std::int16_t highest = 0;
+  float low = points_[0].z_m, high = low;
+  for (const LevelPoint& p : points_) {
+    highest = std::max(highest, p.layer);
+    low = std::min(low, p.z_m);
+    high = std::max(high, p.z_m);
+  }
+  if (layered_ && highest < 8) return GroundMethod::kLayers;
+  return layered_ || (points_.size() > kCloud && high - low > 0.5F) ? GroundMethod::kGrid
+                                                                    : GroundMethod::kNone;
+}
+
+void VirtualScanBuilder::remove_ground(GroundMethod method, std::optional<double> sensor_height_m) {
+  if (method != GroundMethod::kBand && method != GroundMethod::kGrid) return;
+  const auto low = static_cast<float>(options_.z_low_m),
+             high = static_cast<float>(options_.z_high_m);
+  const auto flat = static_cast<float>(-sensor_height_m.value_or(0));
+  const bool grid = method == GroundMethod::kGrid;
+  if (grid) ground_.estimate(points_, sensor_height_m);
+  std::erase_if(points_, [&](const LevelPoint& p) {
+    const float height = p.z_m - (grid ? ground_.height_m(p.range_m, p.bearing_rad) : flat);
+    return !(height >= low && height <= high);
+  });
+}
+
+double VirtualScanBuilder::choose_step(const Scan& scan) {
+  if (options_.step_rad > 0) return std::max(options_.step_rad, 1e-4);
+  if (!beams_.empty()) return std::max(beams_step_rad_, 1e-4);
+  steps_.clear();
+  for (std::size_t i = 1; i < points_.size(); ++i) {
+    const float step = std::abs(points_[i].bearing_rad - points_[i - 1].bearing_rad);
+    if (step > 3e-4F && step < 0.035F) steps_.push_back(step);
+  }
+  constexpr double kUsual = radians(0.25);
+  const bool cloud = scan.returns.size() > kCloud;
+  if (steps_.empty()) return kUsual;
+  const auto middle = steps_.begin() + static_cast<std::ptrdiff_t>(steps_.size() / 2);
+  std::nth_element(steps_.begin(), middle, steps_.end());
+  return std::clamp<double>(*middle, radians(cloud ? 0.2 : 0.1), radians(1));
+}
+
+void VirtualScanBuilder::sort_into_columns(const Scan& scan) {
+  const double step = virtual_scan_.step_rad;
+  const double origin = beams_.empty() || scan.returns.empty() ? -kPi : beams_first_rad_;
+  const auto columns = static_cast<std::uint32_t>(std::ceil(2 * kPi / step - 1e-6));
+  const auto per_step = static_cast<float>(1 / step);
+  // Column 0 is the one that -pi falls in, so that columns grow with bearing.
+  const double before = (origin + kPi) / step + 0.5;
+  const auto shift = static_cast<float>((before - std::floor(before)) * step);
+  ends_.assign(columns + 1, 0);
+  for (LevelPoint& p : points_) {
+    const auto column = static_cast<std::int32_t>(
+        std::floor((p.bearing_rad + static_cast<float>(kPi) - shift) * per_step) + 1);
+    p.column =
+        static_cast<std::uint32_t>(std::clamp(column, 0, static_cast<std::int32_t>(columns)));
+    ++ends_[p.column];
+  }
+  std::uint32_t sum = 0;
+  for (std::uint32_t& end : ends_) {
+    const std::uint32_t count = end;
+    end = sum;
+    sum += count;
+  }
+  order_.resize(points_.size());
+  for (std::uint32_t i = 0; i < points_.size(); ++i) order_[ends_[points_[i].column]++] = i;
+}
+
+int VirtualScanBuilder::support_of(std::span<const std::uint32_t> column, std::size_t i) const {
+  const LevelPoint& first = points_[column[i]];
+  const float reach = first.range_m + static_cast<float>(options_.support_m);
+  std::uint64_t layers = 1ULL << (first.layer & 63);
+  int count = 1;
+  for (std::size_t j = i + 1; j < column.size() && points_[column[j]].range_m <= reach; ++j) {
+    layers |= 1ULL << (points_[column[j]].layer & 63);
+    ++count;
+  }
+  return layered_ ? std::popcount(layers) : count;
+}
+
+bool VirtualScanBuilder::is_lonely_ground(const LevelPoint& point, GroundMethod method) const {
+  if (method != GroundMethod::kLayers) return false;
+  if (point.layer == lowest_layer_) return true;
+  return sensor_height_m_ && point.z_m + static_cast<float>(*sensor_height_m_) <
+                                 kLowLonely + kLowLonelyPerMetre * point.range_m;
+}
+
+void VirtualScanBuilder::pick_points(const Scan& scan, GroundMethod method) {
+  const auto nearer = [this](std::uint32_t a, std::uint32_t b) {
+    const float ra = points_[a].range_m, rb = points_[b].range_m;
+    return ra < rb || (ra == rb && a < b);
+  };
+  const bool one_layer = !layered_ && method != GroundMethod::kGrid;
+  const bool seen_over = !scan.beams || method == GroundMethod::kGrid;
+  most_per_bearing_ = options_.points_per_bearing > 0 ? options_.points_per_bearing
+                                                      : (seen_over && !one_layer ? 3 : 1);
+  std::uint32_t begin = 0;
+  for (const std::uint32_t end : ends_) {
+    const auto column = std::span(order_).subspan(begin, end - begin);
+    begin = end;
+    if (column.empty()) continue;
+    if (column.size() > 1) std::ranges::sort(column, nearer);
+    if (one_layer && most_per_bearing_ == 1) {
+      emit(scan, points_[column.front()], 1);
+    } else {
+      pick_column(scan, column, method);
+    }
+  }
+}
+
+/// `column`: the returns of one bearing by range. What lies behind a gap of separation_m may be
+/// another object; of each such group the nearest supported return is kept.
+void VirtualScanBuilder::pick_column(const Scan& scan, std::span<const std::uint32_t> column,
+                                     GroundMethod method) {
+  const auto separation = static_cast<float>(options_.separation_m);
+  const LevelPoint* lonely = nullptr;
+  int kept = 0;
+  bool group_done = false;
+  for (std::size_t i = 0; i < column.size() && kept < most_per_bearing_; ++i) {
+    const LevelPoint& p = points_[column[i]];
+    if (i > 0 && p.range_m - points_[column[i - 1]].range_m > separation) group_done = false;
+    if (group_done) continue;
+    const int support = support_of(column, i);
+    if (support > 1) {
+      emit(scan, p, support);
+      ++kept;
+      group_done = true;
+    } else if (lonely == nullptr && !is_lonely_ground(p, method)) {
+      lonely = &p;
+    }
+  }
+  if (kept == 0 && lonely != nullptr) emit(scan, *lonely, 1);
+}
+
+void VirtualScanBuilder::emit(const Scan& scan, const LevelPoint& point, int support) {
+  const Return& r = scan.returns[point.source];
+  const float angle = beams_.empty() ? exact_bearing(point.x_m, point.y_m) : point.bearing_rad;
+  virtual_scan_.points.push_back({point.x_m, point.y_m, point.z_m, point.range_m, angle,
+                                  r.time_offset_s, static_cast<std::int32_t>(point.column),
+                                  point.source, static_cast<std::uint8_t>(std::min(support, 255))});
+}
+
+void VirtualScanBuilder::order_by_bearing() {
+  const auto before = [](const PlanarPoint& a, const PlanarPoint& b) {
+    return a.bearing_rad < b.bearing_rad || (a.bearing_rad == b.bearing_rad && a.source < b.source);
+  };
+  // Columns are in order already; only bearings at a column's edge may differ in the last digits.
+  auto& points = virtual_scan_.points;
+  if (!std::ranges::is_sorted(points, before)) std::ranges::sort(points, before);
+}
+
+void VirtualScanBuilder::drop_lonely() {
+  if (options_.lonely_m <= 0) return;
+  constexpr std::size_t kBeside = 3;
+  auto& points = virtual_scan_.points;
+  const std::size_t n = points.size();
+  const auto base = static_cast<float>(options_.lonely_m);
+  const auto slope = static_cast<float>(options_.lonely_per_m);
+  keep_.assign(n, 0);
+  for (std::size_t i = 0; i < n; ++i) {
+    const PlanarPoint& p = points[i];
+    keep_[i] |= p.support > 1;
+    for (std::size_t k = 1; k <= kBeside && k < n; ++k) {
+      const std::size_t j = (i + k) % n;
+      const PlanarPoint& q = points[j];
+      const float reach = base + slope * p.range_m;
+      const float dx = p.x_m - q.x_m, dy = p.y_m - q.y_m;
+      if (dx * dx + dy * dy > reach * reach) continue;
+      keep_[i] = keep_[j] = 1;
+      break;
+    }
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (keep_[i]) points[kept++] = points[i];
+  }
+  points.resize(kept);
+}
+
+}  // namespace scanfuse::preprocess

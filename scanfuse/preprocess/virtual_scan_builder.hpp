@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "scanfuse/geometry/pose.hpp"
+#include "scanfuse/preprocess/ground_grid.hpp"
+#include "scanfuse/preprocess/options.hpp"
+#include "scanfuse/types/scan.hpp"
+#include "scanfuse/types/virtual_scan.hpp"
+
+namespace scanfuse::preprocess {
+
+/// Flattens a scan of any number of layers to one point a bearing: levels it by the mounting, keeps
+/// the region of interest, takes the ground away, and keeps of each bearing the nearest return that
+/// another layer supports (or, where none has support, the nearest that is not ground). A point
+/// that then has neither support nor a neighbour is dropped. Every result is ordered by bearing.
+///
+/// Bearings are binned by the beam pattern where the scan has one, else by `step_rad`, else by the
+/// median step found in the data (0.1 to 1 deg; at least 0.2 deg for clouds).
+/// The height of the mounting is z of `ego_from_sensor`; 0 means unknown, and is estimated from
+/// clouds. Owns its working memory: after the first scans nothing is allocated.
+class VirtualScanBuilder {
+ public:
+  explicit VirtualScanBuilder(PreprocessOptions options = {}) : options_(options) {}
+
+  /// The result stays valid until the next call.
+  const VirtualScan& operator()(const Scan& scan, const Pose3& ego_from_sensor = {});
+
+ private:
+  void project(const Scan& scan, const Eigen::Matrix3f& rotation);
+  void prepare_columns(const Scan& scan, const Eigen::Matrix3f& rotation);
+  [[nodiscard]] float bearing(float x, float y, std::int32_t beam) const;
+  [[nodiscard]] GroundMethod ground_method(const Scan& scan) const;
+  void remove_ground(GroundMethod method, std::optional<double> sensor_height_m);
+  [[nodiscard]] double choose_step(const Scan& scan);
+  void sort_into_columns(const Scan& scan);
+  void pick_points(const Scan& scan, GroundMethod method);
+  [[nodiscard]] int support_of(std::span<const std::uint32_t> column, std::size_t i) const;
+  void pick_column(const Scan& scan, std::span<const std::uint32_t> column, GroundMethod method);
+  [[nodiscard]] bool is_lonely_ground(const LevelPoint& point, GroundMethod method) const;
+  void emit(const Scan& scan, const LevelPoint& point, int support);
+  void order_by_bearing();
+  void drop_lonely();
+
+  struct BeamDirection {
+    float cosine = 1;
+    float sine = 0;
+    float bearing_rad = 0;
+  };
+
+  PreprocessOptions options_;
+  VirtualScan virtual_scan_;
+  GroundGrid ground_;
+  std::vector<LevelPoint> points_;
+  std::vector<BeamDirection> beams_;
+  double beams_first_rad_ = 0;
+  double beams_step_rad_ = 0;
+  std::vector<float> steps_;
+  std::vector<std::uint32_t> ends_;   ///< of each column in `order_`
+  std::vector<std::uint32_t> order_;  ///< points by column, by range within
+  std::vector<std::uint8_t> keep_;
+  std::int16_t lowest_layer_ = 0;
+  bool layered_ = false;
+  int most_per_bearing_ = 1;
+  std::optional<double> sensor_height_m_;
+};
+
+}  // namespace scanfuse::preprocess

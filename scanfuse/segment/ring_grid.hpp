@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "scanfuse/segment/cell_table.hpp"
+
+namespace scanfuse::segment {
+
+/// A polar grid around the sensor. Its cells are max(smallest, growth * r) wide across the line of
+/// sight and `depth` times that along it: rows are rings, columns count from -pi around each ring.
+class RingGrid {
+ public:
+  struct Shape {
+    double smallest_m = 0.1;
+    double growth = 0.01;
+    double depth = 4;
+    double range_max_m = 120;
+    [[nodiscard]] bool operator==(const Shape&) const = default;
+  };
+
+  /// Lays the rings out; nothing happens when they stand so already.
+  void lay_out(const Shape& shape);
+
+  /// The cell at a range in [0, range_max_m) and a bearing in [-pi, pi].
+  [[nodiscard]] CellTable::Cell cell(float range_m, float bearing_rad) const;
+
+  /// Calls visit(cell) for the cells that touch `cell`, on its own ring and on the two beside it.
+  template <class Visit>
+  void for_neighbours(CellTable::Cell cell, Visit visit) const {
+    const std::int32_t around = counts_[static_cast<std::size_t>(cell.row)];
+    if (around > 1) visit(CellTable::Cell{cell.row, (cell.column + 1) % around});
+    if (around > 2) visit(CellTable::Cell{cell.row, (cell.column + around - 1) % around});
+    for (const std::int32_t row : {cell.row - 1, cell.row + 1}) {
+      if (row < 0 || row >= static_cast<std::int32_t>(counts_.size())) continue;
+      const std::int32_t other = counts_[static_cast<std::size_t>(row)];
+      const double scale = static_cast<double>(other) / around;
+      // Half a cell more at each end stands for the corners that touch on a square grid.
+      auto first = static_cast<std::int32_t>(std::floor(cell.column * scale - 0.5));
+      auto last = static_cast<std::int32_t>(std::floor((cell.column + 1) * scale + 0.5));
+      if (last - first >= other) last = first + other - 1;
+      for (std::int32_t column = first; column <= last; ++column) {
+        visit(CellTable::Cell{row, (column + 2 * other) % other});
+      }
+    }
+  }
+
+ private:
+  Shape shape_;
+  std::vector<float> edges_;            ///< inner radius of each ring, and the outer end
+  std::vector<std::int32_t> counts_;    ///< cells around each ring
+  std::vector<std::int32_t> shortcut_;  ///< the ring at each multiple of kShortcut
+};
+
+}  // namespace scanfuse::segment

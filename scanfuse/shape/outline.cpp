@@ -1,0 +1,159 @@
+#include "scanfuse/shape/outline.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "scanfuse/shape/face_box.hpp"
+#include "scanfuse/shape/line_fit.hpp"
+
+namespace scanfuse::shape {
+namespace {
+
+/// Ascending indices are ascending bearings, but for a cluster across the seam at +-pi: there the
+/// order starts behind the widest gap between neighbours.
+std::size_t first_behind_seam(const VirtualScan& scan, std::span<const std::uint32_t> indices) {
+  const auto& points = scan.points;
+  const float span = points[indices.back()].bearing_rad - points[indices.front()].bearing_rad;
+  if (!scan.full_circle || span < 4.0f) return 0;
+  std::size_t first = 0;
+  float widest = static_cast<float>(2 * kPi) - span;
+  for (std::size_t i = 1; i < indices.size(); ++i) {
+    const float gap = points[indices[i]].bearing_rad - points[indices[i - 1]].bearing_rad;
+    if (gap > widest) {
+      widest = gap;
+      first = i;
+    }
+  }
+  return first;
+}
+
+void set_summary(const VirtualScan& scan, std::span<const std::uint32_t> order, Outline& outline) {
+  const PlanarPoint& front = scan.points[order.front()];
+  outline.z_low_m = outline.z_high_m = front.z_m;
+  double sum = 0, squares = 0;
+  for (const std::uint32_t i : order) {
+    const PlanarPoint& p = scan.points[i];
+    outline.z_low_m = std::min<double>(outline.z_low_m, p.z_m);
+    outline.z_high_m = std::max<double>(outline.z_high_m, p.z_m);
+    const double d = p.range_m - front.range_m;
+    sum += d;
+    squares += d * d;
+  }
+  const auto count = static_cast<double>(order.size());
+  outline.var_range_m2 = std::max(squares / count - (sum / count) * (sum / count), 0.0);
+  double span = scan.points[order.back()].bearing_rad - front.bearing_rad;
+  if (span < 0) span += 2 * kPi;
+  outline.coverage =
+      scan.step_rad > 0 ? std::min(count / (std::round(span / scan.step_rad) + 1), 1.0) : 1.0;
+}
+
+double column_step(const VirtualScan& scan, std::span<const std::uint32_t> order) {
+  if (scan.step_rad > 0 || order.size() < 2) return scan.step_rad;
+  const double span =
+      scan.points[order.back()].bearing_rad - scan.points[order.front()].bearing_rad;
+  return std::max(span, 0.0) / static_cast<double>(order.size() - 1);
+}
+
+Outline blank(Outline&& old, std::uint32_t cluster) {
+  Outline fresh;
+  fresh.lines = std::move(old.lines);
+  fresh.lines.clear();
+  fresh.cluster = cluster;
+  return fresh;
+}
+
+}  // namespace
+
+ShapeOptions to_scale(ShapeOptions options) {
+  const double scale = options.outline.scale;
+  for (double* length :
+       {&options.outline.max_extent_m, &options.outline.max_end_gap_m, &options.iepf.threshold_m,
+        &options.iepf.merge_gap_m, &options.iepf.min_length_m, &options.faces.surface_sigma_m,
+        &options.faces.min_face_m, &options.occlusion.nearer_by_m, &options.occlusion.beside_m}) {
+    *length *= scale;
+  }
+  options.outline.scale = 1;
+  return options;
+}
+
+OutlineExtractor::OutlineExtractor(const ShapeOptions& options)
+    : options_(to_scale(options)),
+      iepf_(options_.iepf),
+      search_(options.outline.criterion, options.outline.search_steps,
+              options.outline.search_points) {}
+
+std::span<const Outline> OutlineExtractor::operator()(const VirtualScan& scan,
+                                                      const Clusters& clusters) {
+  if (outlines_.size() < clusters.size()) outlines_.resize(clusters.size());
+  for (std::size_t k = 0; k < clusters.size(); ++k) {
+    outlines_[k] = blank(std::move(outlines_[k]), static_cast<std::uint32_t>(k));
+    if (!clusters[k].empty()) outline_of(scan, clusters[k], outlines_[k]);
+  }
+  return std::span(outlines_).first(clusters.size());
+}
+
+void OutlineExtractor::outline_of(const VirtualScan& scan, std::span<const std::uint32_t> indices,
+                                  Outline& outline) {
+  gather(scan, indices);
+  outline.points = static_cast<int>(points_.size());
+  set_summary(scan, order_, outline);
+  find_lines(scan, outline);
+  find_box(scan, outline);
+}
+
+void OutlineExtractor::gather(const VirtualScan& scan, std::span<const std::uint32_t> indices) {
+  points_.clear();
+  order_.clear();
+  const std::size_t first = first_behind_seam(scan, indices);
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    order_.push_back(indices[(first + i) % indices.size()]);
+    points_.push_back(scan.position(order_.back()));
+  }
+}
+
+void OutlineExtractor::find_lines(const VirtualScan& scan, Outline& outline) {
+  if (options_.outline.lines == LineMethod::kIepfLiteral) {
+    outline.lines = iepf_literal(points_, options_.iepf.threshold_m);
+    return;
+  }
+  const auto lines = iepf_(points_, scan.sigma_range_m);
+  outline.lines.assign(lines.begin(), lines.end());
+}
+
+/// The first three lines and the chord bring the headings; more lines make no car.
+double OutlineExtractor::find_heading(const Outline& outline, double sigma_range_m) {
+  if (options_.outline.search == Search::kFull) return search_(points_, sigma_range_m);
+  constexpr std::size_t kMostSeeds = 4;
+  std::array<double, kMostSeeds> seeds{};
+  std::size_t count = 0;
+  for (const LineSegment& line : outline.lines) {
+    if (count + 1 < kMostSeeds && line.points > 2) seeds[count++] = line.direction_rad();
+  }
+  const Eigen::Vector2d chord_m = points_.back() - points_.front();
+  if (outline.lines.size() != 1) seeds[count++] = std::atan2(chord_m.y(), chord_m.x());
+  if (count == 0) return outline.lines.front().direction_rad();
+  if (count == 1) return seeds[0];
+  return search_.among(std::span(seeds).first(count), points_, sigma_range_m);
+}
+
+void OutlineExtractor::find_box(const VirtualScan& scan, Outline& outline) {
+  const CutEnds cut = find_cut_ends(scan, order_.front(), order_.back(), options_.occlusion);
+  const double sigma = std::max(scan.sigma_range_m, 1e-4);
+  const double slack = 4 * std::hypot(sigma, options_.faces.surface_sigma_m);
+  const BeamSpacing beams{column_step(scan, order_), options_.outline.max_end_gap_m, slack};
+  FaceFitOptions faces = options_.faces;
+  double heading = 0;
+  if ((points_.back() - points_.front()).norm() > options_.outline.max_extent_m) {
+    faces.min_face_points = std::numeric_limits<int>::max();
+    faces.iterations = 1;
+    heading = fit_segment(points_).direction_rad();
+  } else {
+    heading = find_heading(outline, sigma);
+  }
+  set_box(fit_faces(points_, heading, sigma, faces), points_, cut, beams, outline);
+}
+
+}  // namespace scanfuse::shape

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "scanfuse/track/measure.hpp"
+
+namespace scanfuse::track {
+
+/// Length and width before anything was seen, by class (m).
+[[nodiscard]] Gaussian<2> extent_prior(ObjectClass object_class);
+
+/// Folds what a detection says of the extent into the state. A side of which both ends were seen is
+/// a measurement. Of any other side only this is known: it is not shorter than what was seen, which
+/// cuts the belief's lower tail off (moments of the truncated normal).
+void update_extent(Gaussian<kStates>& state, const Measurement& measurement);
+
+}  // namespace scanfuse::track

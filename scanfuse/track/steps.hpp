@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "scanfuse/associate/associate.hpp"
+#include "scanfuse/track/measure.hpp"
+
+/// One scan of the tracker is these functions in this order: predict, gated candidates,
+/// (associate), update and miss, birth, death.
+namespace scanfuse::track {
+
+/// Moves every target on by dt_s >= 0: constant velocity with white acceleration.
+void predict(std::vector<Target>& targets, double dt_s, const TrackerOptions& options);
+
+/// The pairs inside the gate. Cost with the Mahalanobis distance m^2: m^2 + ln det S, the part of
+/// -2 ln N(z; H x, S) that differs between pairs; without ln det S a vague track takes everything
+/// around it. With the euclidean distance, the distance in metres [Lu2018, eq. 5].
+[[nodiscard]] std::vector<associate::Candidate> gated_candidates(
+    std::span<const Target> targets, std::span<const Detection> detections,
+    const TrackerOptions& options);
+
+/// The cost from which a pair is not made, for the distance in use.
+[[nodiscard]] double unassigned_cost(const TrackerOptions& options);
+
+/// Folds the assigned detection into a target.
+void update(Target& target, const Detection& detection, int index, Time stamp, double dt_s,
+            const TrackerOptions& options);
+
+/// A scan went by without the target.
+void miss(Target& target);
+
+/// Tentative until `confirm_hits` of the last `confirm_window` scans hit it.
+void promote(Target& target, const TrackerOptions& options);
+
+/// A target from one detection.
+[[nodiscard]] Target birth(const Detection& detection, int index, std::int64_t id, Time stamp,
+                           double dt_s, const TrackerOptions& options);
+
+/// Reads the extent and the place of the centre anew from a detection, after the heading was turned
+/// by a quarter; velocity stays.
+void reseat(Target& target, const Detection& detection, const TrackerOptions& options);
+
+/// Whether a detection belongs to a confirmed target that already took another one: a part of it.
+[[nodiscard]] bool is_part_of(const Detection& detection, std::span<const Target> targets);
+
+/// Whether a target is given up: tentative and no longer able to be confirmed, or unseen too long.
+/// A confirmed target is not believed unseen for longer than it had been seen.
+[[nodiscard]] bool is_over(const Target& target, Time stamp, const TrackerOptions& options);
+
+/// Removes the younger of two targets that lie in one another and move alike.
+void merge_duplicates(std::vector<Target>& targets);
+
+}  // namespace scanfuse::track

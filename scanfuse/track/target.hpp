@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "scanfuse/core/time.hpp"
+#include "scanfuse/types/gaussian.hpp"
+#include "scanfuse/types/object_class.hpp"
+#include "scanfuse/types/track.hpp"
+
+namespace scanfuse::track {
+
+/// Places in the state of a target: the four of [Lu2018], then the extent. Extent is part of the
+/// state because an unseen end makes an error of the centre that does not average out: carried as
+/// a correlated unknown it keeps the covariance honest, as white noise it would not.
+enum State : int { kX, kVx, kY, kVy, kLength, kWidth, kStates };
+
+using StateVector = Eigen::Matrix<double, kStates, 1>;
+using StateMatrix = Eigen::Matrix<double, kStates, kStates>;
+
+/// What the tracker believes of one object, in the tracking frame.
+struct Target {
+  std::int64_t id = 0;
+  TrackStatus status = TrackStatus::kTentative;
+  Gaussian<kStates> state;
+  Gaussian<2> heading;        ///< rad and rad/s; its sign is settled by motion
+  double forward_m = 0;       ///< way gone along the heading: the evidence for its sign
+  double accel_m_per_s2 = 0;  ///< along the motion, smoothed
+  double z_m = 0;
+  double height_m = 0;
+  std::array<double, 5> class_weight{};  ///< sum of scores, by ObjectClass
+  Time born;
+  Time seen;
+  int age_frames = 0;
+  int missed_frames = 0;
+  std::uint32_t history = 0;  ///< one bit a scan, the latest lowest: 1 is a hit
+  int detection = -1;
+  double nis = 0;
+
+  [[nodiscard]] Eigen::Vector2d position_m() const { return {state.mean(kX), state.mean(kY)}; }
+  [[nodiscard]] Eigen::Vector2d velocity_m_per_s() const {
+    return {state.mean(kVx), state.mean(kVy)};
+  }
+  [[nodiscard]] double heading_rad() const { return heading.mean(0); }
+  [[nodiscard]] Box2 box() const {
+    return {position_m(), heading_rad(), state.mean(kLength), state.mean(kWidth)};
+  }
+};
+
+/// The class with the largest weight, the lowest of equals.
+[[nodiscard]] ObjectClass class_of(const Target& target);
+
+/// The target as a value to report.
+[[nodiscard]] Track to_track(const Target& target);
+
+}  // namespace scanfuse::track

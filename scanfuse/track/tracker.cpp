@@ -1,0 +1,103 @@
+#include "scanfuse/track/tracker.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "scanfuse/track/steps.hpp"
+
+namespace scanfuse::track {
+namespace {
+
+/// Seconds from a to b. Stamps of damaged files may lie centuries apart: their difference does not
+/// fit nanoseconds, and is then taken roughly.
+double seconds_between(Time a, Time b) {
+  const double rough_s =
+      (static_cast<double>(to_nanos(b)) - static_cast<double>(to_nanos(a))) * 1e-9;
+  return std::abs(rough_s) < 1e9 ? to_seconds(b - a) : rough_s;
+}
+
+}  // namespace
+
+const std::vector<Track>& Tracker::step(Time stamp, std::span<const Detection> detections) {
+  const bool same_instant = last_ == stamp;
+  const std::optional<double> dt_s = advance_clock(stamp);
+  if (dt_s) {
+    select_usable(detections);
+    predict(targets_, *dt_s, options_);
+    fold_in(stamp, *dt_s, same_instant);
+  } else {
+    for (Target& target : targets_) target.detection = -1;
+  }
+  report();
+  return tracks_;
+}
+
+std::optional<double> Tracker::advance_clock(Time stamp) {
+  const double dt_s = last_ ? seconds_between(*last_, stamp) : 0.0;
+  const std::string where = "at " + std::to_string(to_nanos(stamp)) + " ns";
+  if (dt_s < 0 && dt_s >= -options_.max_gap_s) {
+    diagnostics_.note("scan older than the last one left out of tracking", where);
+    return std::nullopt;
+  }
+  const bool jumped = dt_s < 0 || dt_s > options_.max_gap_s;
+  if (jumped) {
+    diagnostics_.note(
+        dt_s < 0 ? "clock stepped back, tracks dropped" : "pause in the data, tracks dropped",
+        where);
+    targets_.clear();
+  }
+  last_ = stamp;
+  return jumped ? 0.0 : dt_s;
+}
+
+void Tracker::select_usable(std::span<const Detection> detections) {
+  usable_.clear();
+  source_.clear();
+  for (std::size_t i = 0; i < detections.size(); ++i) {
+    if (is_usable(detections[i])) {
+      usable_.push_back(detections[i]);
+      source_.push_back(static_cast<int>(i));
+    } else {
+      diagnostics_.note("detection with unusable numbers left out",
+                        "detection " + std::to_string(i));
+    }
+  }
+}
+
+void Tracker::fold_in(Time stamp, double dt_s, bool same_instant) {
+  const auto candidates = gated_candidates(targets_, usable_, options_);
+  const auto assignment =
+      associate::associate(options_.associator, static_cast<int>(targets_.size()),
+                           static_cast<int>(usable_.size()), candidates, unassigned_cost(options_));
+  for (std::size_t t = 0; t < targets_.size(); ++t) {
+    const int d = assignment.detection_of_track[t];
+    if (d >= 0) {
+      update(targets_[t], usable_[d], source_[d], stamp, dt_s, options_);
+      promote(targets_[t], options_);
+    } else if (same_instant) {
+      targets_[t].detection = -1;
+    } else {
+      miss(targets_[t]);
+    }
+  }
+  std::erase_if(targets_, [&](const Target& t) { return is_over(t, stamp, options_); });
+  give_birth(stamp, dt_s, assignment.track_of_detection);
+  if (!options_.births_inside_tracks) merge_duplicates(targets_);
+}
+
+void Tracker::give_birth(Time stamp, double dt_s, std::span<const int> track_of_detection) {
+  const std::size_t elders = targets_.size();
+  for (std::size_t d = 0; d < usable_.size(); ++d) {
+    if (track_of_detection[d] >= 0) continue;
+    const std::span<const Target> present(targets_.data(), elders);
+    if (!options_.births_inside_tracks && is_part_of(usable_[d], present)) continue;
+    targets_.push_back(birth(usable_[d], source_[d], next_id_++, stamp, dt_s, options_));
+  }
+}
+
+void Tracker::report() {
+  tracks_.clear();
+  for (const Target& target : targets_) tracks_.push_back(to_track(target));
+}
+
+}  // namespace scanfuse::track

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "scanfuse/core/diagnostics.hpp"
+#include "scanfuse/track/options.hpp"
+#include "scanfuse/track/target.hpp"
+#include "scanfuse/types/detection.hpp"
+
+namespace scanfuse::track {
+
+/// Detections in, tracks out, one scan after the other.
+///
+/// Detections stand in a frame that does not move (odometry, world); so do the tracks. What is odd
+/// in the input is counted in `diagnostics`, never fatal:
+/// - an equal stamp (another sensor): nothing moves, and targets it does not see count no miss;
+/// - a stamp before the last one, by up to `max_gap_s`: the scan is left out;
+/// - a larger step back, or a pause of more than `max_gap_s`: all tracks are dropped;
+/// - a detection with a number that is not finite, or absurdly large: left out.
+class Tracker {
+ public:
+  explicit Tracker(TrackerOptions options = {}) : options_(options) {}
+
+  /// Folds in one scan's detections. The tracks, in order of birth, valid until the next call;
+  /// `Track::detection` is an index into `detections`.
+  const std::vector<Track>& step(Time stamp, std::span<const Detection> detections);
+
+  [[nodiscard]] const TrackerOptions& options() const { return options_; }
+  [[nodiscard]] const Diagnostics& diagnostics() const { return diagnostics_; }
+
+ private:
+  /// Seconds since the last scan; nothing when this one comes too late to be used.
+  std::optional<double> advance_clock(Time stamp);
+  /// Keeps the usable ones, and where they stood.
+  void select_usable(std::span<const Detection> detections);
+  void fold_in(Time stamp, double dt_s, bool same_instant);
+  void give_birth(Time stamp, double dt_s, std::span<const int> track_of_detection);
+  void report();
+
+  TrackerOptions options_;
+  Diagnostics diagnostics_;
+  std::vector<Target> targets_;
+  std::vector<Detection> usable_;
+  std::vector<int> source_;  ///< place of each usable detection in the caller's span
+  std::vector<Track> tracks_;
+  std::optional<Time> last_;
+  std::int64_t next_id_ = 1;
+};
+
+}  // namespace scanfuse::track

@@ -1,0 +1,117 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "scanfuse/associate/gate.hpp"
+#include "scanfuse/associate/position_grid.hpp"
+#include "scanfuse/estimate/constant_velocity.hpp"
+#include "scanfuse/estimate/kalman.hpp"
+#include "scanfuse/track/extent.hpp"
+#include "scanfuse/track/heading.hpp"
+#include "scanfuse/track/steps.hpp"
+
+namespace scanfuse::track {
+namespace {
+
+/// An extent may have been misread: its belief fades slowly (m gained in a second).
+constexpr double kExtentDrift = 0.03;
+constexpr double kAccelMemory_s = 0.5;
+/// Distance of a detection's centre from its seen end is not bounded by the gate: search farther.
+constexpr double kLongestHalf_m = 4;
+
+associate::PositionGrid grid_of(std::span<const Target> targets, double cell_m) {
+  associate::PositionGrid grid(cell_m);
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    grid.add(targets[i].position_m(), static_cast<int>(i));
+  }
+  grid.sort();
+  return grid;
+}
+
+/// Cost of the pair, or nothing outside the gate.
+std::optional<double> gated_cost(const Target& target, const Detection& detection, double gate,
+                                 const TrackerOptions& options) {
+  const Measurement m = measure(detection, target, options);
+  const auto nu = estimate::innovation(target.state, m.position, m.H);
+  const double squared_distance = nu.residual.squaredNorm();
+  if (squared_distance >= options.gate_distance_m * options.gate_distance_m) return std::nullopt;
+  if (options.distance == Distance::kEuclidean) return std::sqrt(squared_distance);
+  const double nis = nu.nis();
+  if (!(nis < gate)) return std::nullopt;
+  const bool same_class = class_of(target) == detection.object_class;
+  return nis + nu.log_det() + (same_class ? 0.0 : options.class_mismatch_cost);
+}
+
+void update_acceleration(Target& target, double speed_before, double dt_s) {
+  if (dt_s <= 0 || target.age_frames < 3) return;
+  const double raw = (target.velocity_m_per_s().norm() - speed_before) / dt_s;
+  target.accel_m_per_s2 += (1 - std::exp(-dt_s / kAccelMemory_s)) * (raw - target.accel_m_per_s2);
+}
+
+}  // namespace
+
+void predict(std::vector<Target>& targets, double dt_s, const TrackerOptions& options) {
+  if (dt_s <= 0) return;
+  StateMatrix F = StateMatrix::Identity(), Q = StateMatrix::Zero();
+  F.topLeftCorner<4, 4>() = estimate::constant_velocity_transition(dt_s);
+  Q.topLeftCorner<4, 4>() = estimate::constant_velocity_noise(dt_s, options.sigma_accel);
+  Q(kLength, kLength) = Q(kWidth, kWidth) = kExtentDrift * kExtentDrift * dt_s;
+  for (Target& target : targets) {
+    target.state = estimate::predict(target.state, F, Q);
+    predict_heading(target, dt_s);
+  }
+}
+
+std::vector<associate::Candidate> gated_candidates(std::span<const Target> targets,
+                                                   std::span<const Detection> detections,
+                                                   const TrackerOptions& options) {
+  const double gate = associate::gate_in_the_plane(options.gate_probability);
+  const auto grid = grid_of(targets, options.gate_distance_m + kLongestHalf_m);
+  std::vector<associate::Candidate> candidates;
+  for (std::size_t d = 0; d < detections.size(); ++d) {
+    const Eigen::Vector2d& place = options.measurement == MeasuredAs::kVisibleMiddle
+                                       ? detections[d].visible_middle_m
+                                       : detections[d].box.centre_m;
+    grid.near(place, [&](int t) {
+      const auto cost = gated_cost(targets[t], detections[d], gate, options);
+      if (cost) candidates.push_back({t, static_cast<int>(d), *cost});
+    });
+  }
+  return candidates;
+}
+
+double unassigned_cost(const TrackerOptions& options) {
+  return options.distance == Distance::kEuclidean ? options.gate_distance_m
+                                                  : options.unassigned_cost;
+}
+
+void update(Target& target, const Detection& detection, int index, Time stamp, double dt_s,
+            const TrackerOptions& options) {
+  const Measurement m = measure(detection, target, options);
+  const double speed_before = target.velocity_m_per_s().norm();
+  target.nis = estimate::innovation(target.state, m.position, m.H).nis();
+  target.state = estimate::update(target.state, m.position, m.H);
+  update_extent(target.state, m);
+  update_heading(target, m);
+  if (align_heading_with_course(target, dt_s)) reseat(target, detection, options);
+  update_acceleration(target, speed_before, dt_s);
+  target.class_weight[static_cast<std::size_t>(detection.object_class)] +=
+      std::clamp(detection.score, 0.0, 1.0);
+  target.z_m += 0.3 * (detection.z_m - target.z_m);
+  target.height_m = std::max(target.height_m, detection.height_m);
+  target.seen = stamp;
+  target.detection = index;
+  target.missed_frames = 0;
+  ++target.age_frames;
+  target.history = (target.history << 1) | 1U;
+}
+
+void miss(Target& target) {
+  target.detection = -1;
+  target.nis = 0;
+  ++target.missed_frames;
+  ++target.age_frames;
+  target.history <<= 1;
+}
+
+}  // namespace scanfuse::track

@@ -1,0 +1,157 @@
+#include "scanfuse/pipeline/scan_feed.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace scanfuse::pipeline {
+namespace {
+
+Time at(double seconds) { return time_from_seconds(1000 + seconds); }
+
+/// Plays a list of events.
+class ListReader final : public io::RecordingReader {
+ public:
+  explicit ListReader(std::vector<io::Event> events, std::vector<io::TopicInfo> topics = {})
+      : events_(std::move(events)) {
+    info_.topics = std::move(topics);
+  }
+  const io::RecordingInfo& info() const override { return info_; }
+  Result<std::optional<io::Event>> next() override {
+    if (place_ == events_.size()) return std::nullopt;
+    return events_[place_++];
+  }
+  const Diagnostics& diagnostics() const override { return diagnostics_; }
+
+ private:
+  io::RecordingInfo info_;
+  Diagnostics diagnostics_;
+  std::vector<io::Event> events_;
+  std::size_t place_ = 0;
+};
+
+io::Event scan_event(double seconds, const std::string& frame = "laser") {
+  Scan scan;
+  scan.stamp = at(seconds);
+  scan.sensor = "/scan";
+  scan.frame_id = frame;
+  return {at(seconds), "/scan", scan};
+}
+
+io::Event odometry_event(double seconds, double x) {
+  PoseSample sample;
+  sample.stamp = at(seconds);
+  sample.pose = Pose3::from_planar({x, 0, 0});
+  return {at(seconds), "/odom", sample};
+}
+
+io::TopicInfo topic(const std::string& name, const std::string& type) {
+  io::TopicInfo info;
+  info.name = name;
+  info.type = type;
+  info.decoded = true;
+  return info;
+}
+
+io::Event tf_event(double seconds, const std::string& parent, const std::string& child, double x,
+                   bool is_static) {
+  TransformSample edge{at(seconds), parent, child, Pose3::from_planar({x, 0, 0}), is_static};
+  return {at(seconds), "/tf", std::vector{edge}};
+}
+
+std::vector<PosedScan> drain(ScanFeed& feed) {
+  std::vector<PosedScan> scans;
+  while (true) {
+    auto next = feed.next();
+    EXPECT_TRUE(next);
+    if (!next || !*next) return scans;
+    scans.push_back(std::move(**next));
+  }
+}
+
+TEST(ScanFeed, WaitsForTheOdometryThatBracketsAScan) {
+  ScanFeed feed(std::make_unique<ListReader>(
+                    std::vector{odometry_event(0, 0), scan_event(0.5), odometry_event(1, 10)},
+                    std::vector{topic("/odom", "nav_msgs/Odometry")}),
+                {});
+  const auto scans = drain(feed);
+  ASSERT_EQ(scans.size(), 1u);
+  EXPECT_NEAR(scans[0].world_from_ego.translation_m.x(), 5, 1e-9);
+  EXPECT_NEAR(scans[0].twist.speed_m_per_s, 10, 1e-9);
+  EXPECT_TRUE(feed.diagnostics().empty());
+}
+
+TEST(ScanFeed, SaysWhenTheEgoPoseHadToBeExtrapolated) {
+  ScanFeed feed(std::make_unique<ListReader>(
+                    std::vector{odometry_event(0, 0), odometry_event(0.1, 1), scan_event(0.15)},
+                    std::vector{topic("/odom", "nav_msgs/Odometry")}),
+                {});
+  const auto scans = drain(feed);
+  ASSERT_EQ(scans.size(), 1u);
+  EXPECT_NEAR(scans[0].world_from_ego.translation_m.x(), 1.5, 1e-9);
+  EXPECT_EQ(feed.diagnostics().count("ego pose extrapolated"), 1);
+}
+
+TEST(ScanFeed, TakesMountAndEgoPoseFromTf) {
+  ScanFeed feed(std::make_unique<ListReader>(
+                    std::vector{tf_event(0, "base_link", "laser", 2, true),
+                                tf_event(0, "odom", "base_link", 0, false), scan_event(0.5),
+                                tf_event(1, "odom", "base_link", 10, false)},
+                    std::vector{topic("/tf", "tf2_msgs/TFMessage")}),
+                {});
+  const auto scans = drain(feed);
+  ASSERT_EQ(scans.size(), 1u);
+  EXPECT_NEAR(scans[0].ego_from_sensor.translation_m.x(), 2, 1e-12);
+  EXPECT_NEAR(scans[0].world_from_ego.translation_m.x(), 5, 1e-9);
+}
+
+TEST(ScanFeed, StaticTfGivesTheMountBesideAnOdometryTopic) {
+  ScanFeed feed(std::make_unique<ListReader>(
+                    std::vector{tf_event(0, "base_link", "laser", 2, true), odometry_event(0, 0),
+                                scan_event(0.5), odometry_event(1, 4)},
+                    std::vector{topic("/tf_static", "tf2_msgs/TFMessage"),
+                                topic("/odom", "nav_msgs/Odometry")}),
+                {});
+  const auto scans = drain(feed);
+  ASSERT_EQ(scans.size(), 1u);
+  EXPECT_NEAR(scans[0].ego_from_sensor.translation_m.x(), 2, 1e-12);
+  EXPECT_NEAR(scans[0].world_from_ego.translation_m.x(), 2, 1e-9);
+}
+
+TEST(ScanFeed, AGivenMountAndEgoFileWinOverTheRecording) {
+  FeedOptions options;
+  options.mount = Pose3::from_planar({-0.12, 0, 0});
+  for (const double t : {0.0, 1.0}) {
+    PoseSample sample;
+    sample.stamp = at(t);
+    sample.pose = Pose3::from_planar({7, 0, 0});
+    options.ego.push_back(sample);
+  }
+  ScanFeed feed(std::make_unique<ListReader>(
+                    std::vector{odometry_event(0, 0), scan_event(0.5), odometry_event(1, 4)},
+                    std::vector{topic("/odom", "nav_msgs/Odometry")}),
+                options);
+  const auto scans = drain(feed);
+  ASSERT_EQ(scans.size(), 1u);
+  EXPECT_NEAR(scans[0].ego_from_sensor.translation_m.x(), -0.12, 1e-12);
+  EXPECT_NEAR(scans[0].world_from_ego.translation_m.x(), 7, 1e-9);
+}
+
+TEST(ScanFeed, ARecordingWithoutAnyEgoPoseStandsStill) {
+  ScanFeed feed(std::make_unique<ListReader>(std::vector{scan_event(0), scan_event(0.1)}), {});
+  const auto scans = drain(feed);
+  ASSERT_EQ(scans.size(), 2u);
+  EXPECT_TRUE(scans[1].world_from_ego.translation_m.isZero());
+}
+
+TEST(ScanFeed, ALoopInTfIsCutAndHangsNothing) {
+  ScanFeed feed(std::make_unique<ListReader>(
+                    std::vector{tf_event(0, "a", "laser", 1, false), tf_event(0, "laser", "a", 1, false),
+                                scan_event(0.1), scan_event(2.5)},
+                    std::vector{topic("/tf", "tf2_msgs/TFMessage")}),
+                {});
+  EXPECT_EQ(drain(feed).size(), 2u);
+}
+
+}  // namespace
+}  // namespace scanfuse::pipeline

@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# Layers, file lengths, citations, format; with --tidy also clang-tidy over every source file.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+python3 tools/check_layers.py
+git ls-files '*.hpp' '*.cpp' | xargs clang-format-19 --dry-run --Werror
+echo "format is fine"
+
+if [ "${1:-}" = --tidy ]; then
+  cmake --preset tidy > /dev/null
+  git ls-files 'scanfuse/*.cpp' 'apps/*.cpp' |
+    xargs -P "$(nproc)" -n 4 clang-tidy-19 -p build/tidy --quiet 2> /dev/null
+  echo "clang-tidy is fine"
+fi

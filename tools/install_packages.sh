@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# Installs the Debian packages of the named groups (build, test, bench) that are missing.
+# Works as root and as a user with sudo; does nothing, quickly, when all are there.
+set -euo pipefail
+
+build="g++ cmake ninja-build ccache mold libeigen3-dev libfmt-dev libexpected-dev libcli11-dev
+  libtomlplusplus-dev nlohmann-json3-dev libembree-dev libzstd-dev liblz4-dev zlib1g-dev libbz2-dev
+  liblzma-dev libsqlite3-dev"
+test="libgtest-dev libgmock-dev librapidcheck-dev clang-19 clang-tidy-19 clang-format-19
+  libclang-rt-19-dev python3 git chromium nodejs"
+bench="libbenchmark-dev"
+
+wanted=""
+for group in "$@"; do
+  case "$group" in
+    build) wanted+=" $build" ;;
+    test) wanted+=" $test" ;;
+    bench) wanted+=" $bench" ;;
+    *) echo "install_packages: no group '$group' (build, test, bench)" >&2; exit 2 ;;
+  esac
+done
+
+missing=""
+for package in $wanted; do
+  case "$package" in
+    nodejs) command -v node > /dev/null && continue ;;
+  esac
+  [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2> /dev/null)" = installed ] ||
+    missing+=" $package"
+done
+[ -n "$missing" ] || exit 0
+
+sudo=""
+if [ "$(id -u)" -ne 0 ]; then
+  command -v sudo > /dev/null || { echo "install as root:$missing" >&2; exit 2; }
+  sudo=sudo
+fi
+echo "installing:$missing"
+$sudo apt-get update -qq
+$sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends \
+  $missing > /dev/null

@@ -1,0 +1,89 @@
+#!/usr/bin/env bash
+# What `make test` runs: release build and all its tests, style, the installed package.
+# With SCANFUSE_FULL=1 (as CI does) also Clang, the sanitizers, the fuzz targets and clang-tidy.
+# Ends with a line that counts the tests.
+set -uo pipefail
+cd "$(dirname "$0")/.."
+passed=0
+failed=0
+skipped=0
+
+# step NAME COMMAND...: one check that passes or fails as a whole.
+step() {
+  local name=$1
+  shift
+  echo "== $name"
+  if "$@" > "$log" 2>&1; then
+    passed=$((passed + 1))
+  else
+    failed=$((failed + 1))
+    tail -n 60 "$log"
+    echo "FAILED: $name"
+  fi
+}
+
+# suite NAME PRESET CTEST-ARGS...: runs ctest and adds its counts.
+suite() {
+  local name=$1 preset=$2
+  shift 2
+  echo "== $name"
+  (cd "build/$preset" && ctest --output-on-failure -j "$(nproc)" "$@") > "$log" 2>&1
+  local bad skip all
+  all=$(grep -cE '^ *[0-9]+/[0-9]+ Test +#' "$log")
+  skip=$(grep -cE '\*\*\*Skipped' "$log")
+  bad=$((all - skip - $(grep -cE ' Passed +[0-9.]+ sec' "$log")))
+  if [ "$all" -eq 0 ]; then
+    bad=1
+    tail -n 40 "$log"
+  fi
+  [ "$bad" -eq 0 ] || grep -vE ' Passed +[0-9.]+ sec|^ *Start +[0-9]+:' "$log" | tail -n 200
+  [ "$skip" -eq 0 ] || echo "$skip skipped (no shared data, or a peer is not installed)"
+  passed=$((passed + all - skip - bad))
+  failed=$((failed + bad))
+  skipped=$((skipped + skip))
+}
+
+build() { cmake --preset "$1" "${@:2}" && cmake --build --preset "$1"; }
+
+install_and_consume() {
+  local prefix=$PWD/build/install
+  rm -rf "$prefix" build/consumer
+  cmake --install build/release --prefix "$prefix" &&
+    cmake -S tests/consumer -B build/consumer -G Ninja -DCMAKE_BUILD_TYPE=Release \
+      -DCMAKE_PREFIX_PATH="$prefix" &&
+    cmake --build build/consumer && build/consumer/consumer
+}
+
+fuzz_all() {
+  local seconds=${SCANFUSE_FUZZ_SECONDS:-60} binary name
+  export seconds
+  for binary in build/asan/fuzz/*_fuzz; do basename "$binary"; done |
+    xargs -P "$(nproc)" -I{} bash -c '
+      mkdir -p build/fuzz/{}
+      build/asan/fuzz/{} -max_total_time=$seconds -timeout=20 -rss_limit_mb=2048 -print_final_stats=1 \
+        -artifact_prefix=build/fuzz/ build/fuzz/{} fuzz/corpus/{} > build/fuzz/{}.log 2>&1 ||
+        { tail -n 40 build/fuzz/{}.log; exit 255; }'
+}
+
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+
+if [ -f tests/npm/package.json ] && command -v npm > /dev/null && [ ! -d tests/npm/node_modules ]; then
+  npm ci --prefix tests/npm --no-audit --no-fund > "$log" 2>&1 || echo "npm packages could not be had"
+fi
+step "style" tools/check_style.sh
+step "build (GCC, release)" build release -DSCANFUSE_BUILD_TESTS=ON -DSCANFUSE_BUILD_BENCH=ON
+suite "tests (GCC, release)" release
+step "install, then build and run a user's project" install_and_consume
+if [ "${SCANFUSE_FULL:-0}" = 1 ]; then
+  step "build (Clang, address and undefined-behaviour sanitizers)" build asan
+  suite "tests (sanitizers)" asan -LE slow
+  step "build (Clang, thread sanitizer)" build tsan
+  suite "tests (thread sanitizer)" tsan -R 'Parallel|Thread' --no-tests=ignore
+  step "fuzz every reader for ${SCANFUSE_FUZZ_SECONDS:-60} s" fuzz_all
+  step "clang-tidy" tools/check_style.sh --tidy
+fi
+
+echo
+echo "$passed passed, $failed failed, $skipped skipped"
+[ "$failed" -eq 0 ]
