@@ -44,15 +44,16 @@ Spline along_road(const Drive& drive, const std::vector<Ahead>& knots, double sh
 
 /// A smooth change of lane in y, with a level run before and after.
 Spline lane_change(double from_y_m, double to_y_m, double middle_s, double lasts_s) {
-  std::vector<double> times{-10.0, middle_s - lasts_s}, values{from_y_m, from_y_m};
-  constexpr int kSteps = 16;
+  std::vector<double> times{-10.0, middle_s - lasts_s, middle_s - 0.6 * lasts_s};
+  std::vector<double> values(3, from_y_m);
+  constexpr int kSteps = 24;
   for (int i = 0; i <= kSteps; ++i) {
     const double u = static_cast<double>(i) / kSteps;
     times.push_back(middle_s + (u - 0.5) * lasts_s);
     values.push_back(from_y_m + (to_y_m - from_y_m) * u * u * u * (10 + u * (6 * u - 15)));
   }
-  times.insert(times.end(), {middle_s + lasts_s, middle_s + lasts_s + 60});
-  values.insert(values.end(), {to_y_m, to_y_m});
+  times.insert(times.end(), {middle_s + 0.6 * lasts_s, middle_s + lasts_s, middle_s + 60});
+  values.insert(values.end(), 3, to_y_m);
   return {times, values};
 }
 

@@ -72,8 +72,7 @@ Scanner::Scanner(const World& world, const SensorModel& model, const SimulateOpt
       model_(model),
       options_(options),
       seed_(seed),
-      vibration_(options.vibration, RandomStream(seed, 0x71b)),
-      caster_(world) {
+      vibration_(options.vibration, RandomStream(seed, 0x71b)) {
   if (options.range_noise_m >= 0) model_.sigma_range_m = options.range_noise_m;
   model_.divergence_azimuth_rad *= options.divergence;
   model_.divergence_elevation_rad *= options.divergence;
@@ -199,9 +198,10 @@ void Scanner::judge_occlusion(std::span<const Hit> hits, double stamp_s, Sweep& 
 
 Sweep Scanner::scan(std::int64_t frame) {
   const double t = stamp_s(frame);
-  caster_.move_to(t, t + std::max(model_.sweep_s(), 1e-9));
+  if (!caster_) caster_.emplace(*world_);
+  caster_->move_to(t, t + std::max(model_.sweep_s(), 1e-9));
   aim(t);
-  const auto hits = caster_.cast(rays_, model_.pattern.max_range_m);
+  const auto hits = caster_->cast(rays_, model_.pattern.max_range_m);
   Sweep sweep;
   RandomStream random(seed_, 0x5ca0000 + static_cast<std::uint64_t>(frame));
   for (std::size_t b = 0; b < beams_.size(); ++b) {

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <optional>
+#include <span>
+#include <vector>
+
 #include "scanfuse/simulate/caster.hpp"
 #include "scanfuse/simulate/simulate.hpp"
 
@@ -39,7 +43,7 @@ class Scanner {
   SimulateOptions options_;
   std::uint64_t seed_;
   Vibration vibration_;
-  Caster caster_;
+  std::optional<Caster> caster_;  ///< made at the first scan
   std::vector<Beam> beams_;
   std::vector<Ray> rays_;  ///< kRaysPerBeam for each beam
 };

@@ -18,6 +18,21 @@ Silhouette silhouette(const Polygon& footprint, const Pose2& world_from_actor,
   return seen;
 }
 
+bool overlap(const Box2& a, const Box2& b) {
+  const auto apart_along = [&](double heading_rad) {
+    const Eigen::Vector2d axis(std::cos(heading_rad), std::sin(heading_rad));
+    const auto half_extent = [&](const Box2& box) {
+      const double turned = box.heading_rad - heading_rad;
+      return (std::abs(std::cos(turned)) * box.length_m +
+              std::abs(std::sin(turned)) * box.width_m) /
+             2;
+    };
+    return std::abs(axis.dot(a.centre_m - b.centre_m)) > half_extent(a) + half_extent(b);
+  };
+  return !apart_along(a.heading_rad) && !apart_along(a.heading_rad + kPi / 2) &&
+         !apart_along(b.heading_rad) && !apart_along(b.heading_rad + kPi / 2);
+}
+
 double find_zero(const std::function<double(double)>& f, double low, double high) {
   const bool rising = f(high) > 0;
   for (int i = 0; i < 50; ++i) {

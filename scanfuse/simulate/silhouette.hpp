@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include "scanfuse/geometry/box.hpp"
 #include "scanfuse/simulate/world.hpp"
 
 namespace scanfuse::simulate {
@@ -13,6 +14,9 @@ struct Silhouette {
 };
 [[nodiscard]] Silhouette silhouette(const Polygon& footprint, const Pose2& world_from_actor,
                                     const Pose2& world_from_sensor);
+
+/// True when two boxes share a point (separating axes).
+[[nodiscard]] bool overlap(const Box2& a, const Box2& b);
 
 /// Where a function with one change of sign in [low, high] crosses zero (bisection).
 [[nodiscard]] double find_zero(const std::function<double(double)>& f, double low, double high);

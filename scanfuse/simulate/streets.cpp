@@ -4,6 +4,7 @@
 #include "scanfuse/simulate/bodies.hpp"
 #include "scanfuse/simulate/roadside.hpp"
 #include "scanfuse/simulate/scenarios.hpp"
+#include "scanfuse/simulate/silhouette.hpp"
 
 namespace scanfuse::simulate {
 namespace {
@@ -57,34 +58,55 @@ std::function<double(double)> slowing(double fast, double slow, double where_m, 
 }
 
 /// Hands out ids and keeps the actors of a street.
-struct Cast {
-  World* world;
-  RandomStream* random;
+class Cast {
+ public:
+  Cast(World& of, RandomStream& from) : world_(&of), random_(&from) {}
 
   [[nodiscard]] std::int64_t next_id() const {
-    return static_cast<std::int64_t>(world->actors.size()) + 1;
+    return static_cast<std::int64_t>(world_->actors.size()) + 1;
   }
-  void car(PlanarMotion motion) const {
-    Actor actor = make_car(next_id(), random_car_size(*random), *random);
+  /// Adds the actor unless it would run into somebody before the end of the scenario.
+  bool add(Actor actor, PlanarMotion motion) const {
     actor.motion = std::move(motion);
-    world->actors.push_back(std::move(actor));
+    if (!runs_free(actor)) return false;
+    world_->actors.push_back(std::move(actor));
+    return true;
   }
-  void truck(PlanarMotion motion) const {
-    Actor actor = make_truck(next_id(), *random);
-    actor.motion = std::move(motion);
-    world->actors.push_back(std::move(actor));
+  bool car(PlanarMotion motion) const {
+    return add(make_car(next_id(), random_car_size(*random_), *random_), std::move(motion));
   }
-  void pedestrian(PlanarMotion motion) const {
+  bool truck(PlanarMotion motion) const {
+    return add(make_truck(next_id(), *random_), std::move(motion));
+  }
+  bool pedestrian(PlanarMotion motion) const {
     const double speed = motion.velocity(0).norm();
-    Actor actor = make_pedestrian(next_id(), speed / 0.7, *random);
-    actor.motion = std::move(motion);
-    world->actors.push_back(std::move(actor));
+    return add(make_pedestrian(next_id(), speed / 0.7, *random_), std::move(motion));
   }
-  void cyclist(PlanarMotion motion) const {
-    Actor actor = make_cyclist(next_id(), *random);
-    actor.motion = std::move(motion);
-    world->actors.push_back(std::move(actor));
+  bool cyclist(PlanarMotion motion) const {
+    return add(make_cyclist(next_id(), *random_), std::move(motion));
   }
+
+ private:
+  [[nodiscard]] bool runs_free(const Actor& actor) const {
+    constexpr double kMargin = 0.3;
+    const auto box = [](const Actor& a, double t) {
+      const Pose2 pose = a.motion.pose(t);
+      return Box2{
+          {pose.x_m, pose.y_m}, pose.heading_rad, a.length_m + kMargin, a.width_m + kMargin};
+    };
+    for (double t = 0; t < world_->frames / 12.5; t += 0.1) {
+      const Box2 mine = box(actor, t);
+      const Pose2 ego = world_->ego.pose(t);
+      if (overlap(mine, {ego * Eigen::Vector2d(1.4, 0), ego.heading_rad, 5, 1.9})) return false;
+      for (const Actor& other : world_->actors) {
+        if (overlap(mine, box(other, t))) return false;
+      }
+    }
+    return true;
+  }
+
+  World* world_;
+  RandomStream* random_;
 };
 
 constexpr double kCrossX = 48;  ///< middle of the crossing street
@@ -150,14 +172,16 @@ void add_people(const Cast& cast, double ego_speed, RandomStream& random) {
     const Pose2 start{random.uniform(8, 90), side + random.uniform(-0.4, 0.4), heading};
     cast.pedestrian(speed > 0 ? straight(start, speed) : standing(start));
   }
-  const double crossing_x = ego_speed * random.uniform(6, 9) + 20;
-  cast.pedestrian(
-      straight({crossing_x, random.uniform(-7, -5), kPi / 2}, random.uniform(1.1, 1.6)));
   for (double x = random.uniform(8, 14); x < 60; x += random.uniform(15, 25)) {
     cast.cyclist(straight({x, -1.9, 0}, ego_speed * 0.75 + 0.01 * x));
   }
   for (double x = random.uniform(20, 40); x < 150; x += random.uniform(25, 50)) {
     cast.cyclist(straight({x, 5.4, kPi}, 4.5));
+  }
+  for (int tries = 0; tries < 30; ++tries) {
+    const double x = ego_speed * random.uniform(2, 9) + 20;
+    const double speed = random.uniform(1.1, 1.6);
+    if (cast.pedestrian(straight({x, random.uniform(-14, -5), kPi / 2}, speed))) break;
   }
 }
 
@@ -178,14 +202,14 @@ World crossing(RandomStream random) {
   world.frames = 190;
   add_ground(world.fixed, {-150, -200}, {300, 200});
   add_corners(world.fixed, random);
-  world.ego = Course({}).run(140).drive(0, slowing(7, 2.2, 31, 13));
+  world.ego = Course({}).run(140).drive(0, slowing(7, 1.2, 31, 13));
 
-  const Cast cast{&world, &random};
+  const Cast cast(world, random);
   const auto late = [&] { return random.uniform(-0.5, 0.5); };
   // Crossing streets: to the left on the far lane, to the right on the near one.
   cast.car(Course({kCrossX + 1.7, -60, kPi / 2}).run(160).drive(late() - 1, steady(9)));
-  cast.car(Course({kCrossX + 1.7, -85, kPi / 2}).run(180).drive(late() - 1, steady(9)));
-  cast.car(Course({kCrossX - 1.7, 60, -kPi / 2}).run(160).drive(late(), steady(8)));
+  cast.car(Course({kCrossX + 1.7, -75, kPi / 2}).run(180).drive(late() - 1, steady(9)));
+  cast.car(Course({kCrossX - 1.7, 22, -kPi / 2}).run(160).drive(late(), steady(8)));
   // The car ahead turns right; an oncoming one turns to its left once the other has gone.
   cast.car(Course({17, 0, 0})
                .run(kCrossX - 17 - 7)
@@ -196,10 +220,10 @@ World crossing(RandomStream random) {
                .run(42)
                .arc(14, kPi / 2)
                .run(80)
-               .drive(2 + late(), slowing(8, 4.5, 48, 14)));
-  cast.car(Course({kCrossX + 75, 3.4, kPi}).run(160).drive(2.5 + late(), steady(8)));
+               .drive(2.6 + late(), slowing(8, 4.5, 48, 14)));
+  cast.car(Course({kCrossX + 75, 3.4, kPi}).run(160).drive(3.5 + late(), steady(8)));
   cast.pedestrian(straight({kCrossX - 14, 8.2, -kPi / 2}, 0.6));
-  cast.cyclist(Course({kCrossX + 4.6, -28, kPi / 2}).run(90).drive(0, steady(4)));
+  cast.cyclist(Course({kCrossX + 4.6, -24, kPi / 2}).run(90).drive(0, steady(4)));
   return world;
 }
 
@@ -218,7 +242,7 @@ World road_users(RandomStream random) {
   add_guard_rail(world.fixed, {70, 9.0}, {110, 9.0});
   const double ego_speed = random.uniform(5, 8);
   world.ego = straight({}, ego_speed);
-  const Cast cast{&world, &random};
+  const Cast cast(world, random);
   add_traffic(cast, ego_speed, random);
   add_people(cast, ego_speed, random);
   return world;

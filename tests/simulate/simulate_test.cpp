@@ -8,6 +8,7 @@
 
 #include "scanfuse/simulate/mesh.hpp"
 #include "scanfuse/simulate/scanner.hpp"
+#include "scanfuse/simulate/silhouette.hpp"
 
 namespace scanfuse::simulate {
 namespace {
@@ -54,7 +55,7 @@ TEST(Simulation, NamesTheNearestScenarioWhenItDoesNotKnowOne) {
 
 TEST(Simulation, StartsAtTheOriginOfTheWorldAndLooksAhead) {
   for (const auto& [name, doc] : scenarios()) {
-    const auto frame = simulation(name, 2, 1).next();
+    const auto frame = simulation(name, 2, 1).next_truth();
     const Pose2 ego = frame->ego.pose.planar();
     EXPECT_NEAR(ego.x_m, 0, 1e-9) << name;
     EXPECT_NEAR(ego.y_m, 0, 1e-3) << name;
@@ -103,8 +104,8 @@ TEST(Simulation, NoReturnFarFromAnObjectBearsItsName) {
 TEST(Simulation, TruthMovesAsItsVelocitySays) {
   for (const auto& [name, doc] : scenarios()) {
     auto run = simulation(name, 1, 60);
-    auto before = run.next();
-    while (auto now = run.next()) {
+    auto before = run.next_truth();
+    while (auto now = run.next_truth()) {
       const double dt = to_seconds(now->truth.stamp - before->truth.stamp);
       for (std::size_t i = 0; i < now->truth.objects.size(); ++i) {
         const auto &a = before->truth.objects[i], &b = now->truth.objects[i];
@@ -121,22 +122,6 @@ TEST(Simulation, TruthMovesAsItsVelocitySays) {
   }
 }
 
-bool boxes_touch(const Box2& a, const Box2& b) {
-  for (const double heading :
-       {a.heading_rad, a.heading_rad + kPi / 2, b.heading_rad, b.heading_rad + kPi / 2}) {
-    const Eigen::Vector2d axis(std::cos(heading), std::sin(heading));
-    double low[2] = {1e9, 1e9}, high[2] = {-1e9, -1e9};
-    for (int k = 0; k < 2; ++k) {
-      for (const auto& corner : (k == 0 ? a : b).corners()) {
-        low[k] = std::min(low[k], corner.dot(axis));
-        high[k] = std::max(high[k], corner.dot(axis));
-      }
-    }
-    if (high[0] < low[1] || high[1] < low[0]) return false;
-  }
-  return true;
-}
-
 TEST(Simulation, NobodyDrivesThroughAnybody) {
   SimulateOptions options;
   for (const auto& [name, doc] : scenarios()) {
@@ -151,7 +136,7 @@ TEST(Simulation, NobodyDrivesThroughAnybody) {
         }
         for (std::size_t i = 0; i < boxes.size(); ++i) {
           for (std::size_t k = 0; k < i; ++k) {
-            if (boxes_touch(boxes[i], boxes[k])) touching.insert(fmt::format("{}-{}", k, i));
+            if (overlap(boxes[i], boxes[k])) touching.insert(fmt::format("{}-{}", k, i));
           }
         }
       }
