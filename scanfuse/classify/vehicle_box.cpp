@@ -39,9 +39,13 @@ struct Oriented {
   bool face_is_length = false;  ///< of a single face
 };
 
-/// The face runs along the vehicle if it is too long for a rear, or seen at a flat angle.
+/// A face too long for a rear is a side. A short one of which an end is hidden may be either:
+/// traffic runs mostly along the sensor's x axis. A short one seen whole is a rear or front.
 bool is_side(const Outline& outline, const RecognizerOptions& options) {
-  return outline.box.length_m > options.max_width_m;
+  if (outline.box.length_m > options.max_width_m) return true;
+  const bool cut = outline.left_end_occluded || outline.right_end_occluded;
+  if (outline.faces_seen == 2) return outline.box.length_m > 0.9 * options.max_width_m;
+  return cut && std::abs(std::cos(outline.box.heading_rad)) > std::sqrt(0.5);
 }
 
 Oriented orient(const Outline& outline, const RecognizerOptions& options) {

@@ -29,17 +29,19 @@ struct RecognizerOptions {
   double scale = 1;
   double min_score = 0.5;
   int min_points = 3;
-  double min_width_m = 1.2;
+  double min_width_m = 1.4;
   double max_width_m = 2.4;
   double min_length_m = 2.6;
   double max_length_m = 6.5;
+  double min_cut_m = 1.1;
+  double both_cut_score = 0.7;
   double size_slack_m = 0.4;
   double mean_length_m = 4.4;
   double sigma_length_m = 0.45;
   double mean_width_m = 1.8;
   double sigma_width_m = 0.12;
-  double min_inlier_share = 0.7;
-  double min_coverage = 0.5;
+  double min_inlier_share = 0.85;
+  double min_coverage = 0.85;
   double right_angle_tolerance_rad = 0.35;
   double min_user_m = 0.15;
 
@@ -56,8 +58,11 @@ struct RecognizerOptions {
         Field{"max_width_m", &O::max_width_m, 0.0, 100.0, "widest rear or front"},
         Field{"min_length_m", &O::min_length_m, 0.0, 100.0, "shortest side"},
         Field{"max_length_m", &O::max_length_m, 0.0, 100.0, "longest side"},
+        Field{"min_cut_m", &O::min_cut_m, 0.0, 100.0, "shortest face of which an end is hidden"},
+        Field{"both_cut_score", &O::both_cut_score, 0.0, 1.0,
+              "score of a face of which both ends are hidden: walls look so"},
         Field{"size_slack_m", &O::size_slack_m, 0.001, 100.0,
-              "the score falls to zero this far outside the four bounds"},
+              "the score falls to zero this far outside these bounds"},
         Field{"mean_length_m", &O::mean_length_m, 0.0, 100.0, "length where it is not seen"},
         Field{"sigma_length_m", &O::sigma_length_m, 0.0, 100.0, "its standard deviation"},
         Field{"mean_width_m", &O::mean_width_m, 0.0, 100.0, "width where it is not seen"},

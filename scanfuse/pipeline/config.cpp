@@ -53,7 +53,7 @@ PerceptionOptions literal_chain() {
   PerceptionOptions options;
   options.segment.method = segment::SegmentMethod::kPagLiteral;
   options.shape.outline.lines = shape::LineMethod::kIepfLiteral;
-  options.classify.method = classify::RecognizeMethod::kLu2018;
+  options.classify.method = classify::Method::kLu2018;
   options.track = track::literal_options();
   return options;
 }

@@ -11,17 +11,24 @@ Perception::Perception(const PerceptionOptions& options)
       tracker_(options.track) {}
 
 const StepResult& Perception::step(const PosedScan& posed) {
-  const VirtualScan& flat = flatten_(posed.scan, posed.ego_from_sensor);
-  const Clusters& clusters = segment_(flat);
-  const auto outlines = outline_(flat, clusters);
-  const auto detections = recognize_(flat, outlines);
+  virtual_scan_ = flatten_(posed.scan, posed.ego_from_sensor);
+  if (options_.pipeline.deskew) straighten(posed);
+  const Clusters& clusters = segment_(virtual_scan_);
+  const auto outlines = outline_(virtual_scan_, clusters);
+  const auto detections = recognize_(outlines);
 
   give_in_world(posed, detections);
   result_.tracks = tracker_.step(posed.scan.stamp, result_.detections);
   if (options_.pipeline.frame == OutputFrame::kEgo) give_in_ego();
-  virtual_scan_ = &flat;
   clusters_ = &clusters;
   return result_;
+}
+
+void Perception::straighten(const PosedScan& posed) {
+  const auto& twist = posed.twist;
+  preprocess::deskew(virtual_scan_,
+                     {{twist.speed_m_per_s, twist.lateral_m_per_s}, twist.yaw_rate_rad_per_s},
+                     posed.ego_from_sensor.translation_m.head<2>());
 }
 
 void Perception::give_in_world(const PosedScan& posed, std::span<const Detection> detections) {

@@ -5,10 +5,11 @@
 #include <tuple>
 #include <vector>
 
-#include "scanfuse/classify/recognize.hpp"
+#include "scanfuse/classify/recognizer.hpp"
 #include "scanfuse/core/options.hpp"
 #include "scanfuse/pipeline/scan_feed.hpp"
-#include "scanfuse/preprocess/virtual_scan.hpp"
+#include "scanfuse/preprocess/deskew.hpp"
+#include "scanfuse/preprocess/virtual_scan_builder.hpp"
 #include "scanfuse/segment/segmenter.hpp"
 #include "scanfuse/shape/outline.hpp"
 #include "scanfuse/track/tracker.hpp"
@@ -42,7 +43,7 @@ struct PerceptionOptions {
   preprocess::PreprocessOptions preprocess;
   segment::SegmentOptions segment;
   shape::ShapeOptions shape;
-  classify::RecognizeOptions classify;
+  classify::RecognizerOptions classify;
   track::TrackerOptions track;
 };
 
@@ -57,11 +58,12 @@ class Perception {
   const StepResult& step(const PosedScan& posed);
 
   /// What the last step saw on its way, in the levelled sensor frame: for reports.
-  [[nodiscard]] const VirtualScan& virtual_scan() const { return *virtual_scan_; }
+  [[nodiscard]] const VirtualScan& virtual_scan() const { return virtual_scan_; }
   [[nodiscard]] const Clusters& clusters() const { return *clusters_; }
   [[nodiscard]] Diagnostics diagnostics() const { return tracker_.diagnostics(); }
 
  private:
+  void straighten(const PosedScan& posed);
   void give_in_world(const PosedScan& posed, std::span<const Detection> detections);
   void give_in_ego();
 
@@ -72,7 +74,7 @@ class Perception {
   classify::Recognizer recognize_;
   track::Tracker tracker_;
   StepResult result_;
-  const VirtualScan* virtual_scan_ = nullptr;
+  VirtualScan virtual_scan_;
   const Clusters* clusters_ = nullptr;
 };
 

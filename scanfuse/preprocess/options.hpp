@@ -36,6 +36,8 @@ struct PreprocessOptions {
   double z_high_m = 2.5;
   double step_rad = 0;
   double support_m = 0.4;
+  int points_per_bearing = 0;
+  double separation_m = 1.5;
   double lonely_m = 0.5;
   double lonely_per_m = 0.03;
   double sigma_range_m = 0.03;
@@ -56,6 +58,11 @@ struct PreprocessOptions {
               "bearing bin; 0: the beam pattern's, else found from the data"},
         Field{"support_m", &O::support_m, 0.0, 10.0,
               "returns of one bearing within this range support each other"},
+        Field{"points_per_bearing", &O::points_per_bearing, 0, 16,
+              "most points kept of one bearing; 0: 3 for clouds and where the beam pattern is "
+              "unknown, else 1"},
+        Field{"separation_m", &O::separation_m, 0.1, 100.0,
+              "a gap in range after which another object may follow on the same bearing"},
         Field{"lonely_m", &O::lonely_m, 0.0, 10.0,
               "a point without support or neighbour within this + lonely_per_m * range is dropped; "
               "0 keeps all"},

@@ -210,37 +210,58 @@ int VirtualScanBuilder::support_of(std::span<const std::uint32_t> column, std::s
   return layered_ ? std::popcount(layers) : count;
 }
 
+bool VirtualScanBuilder::is_lonely_ground(const LevelPoint& point, GroundMethod method) const {
+  if (method != GroundMethod::kLayers) return false;
+  if (point.layer == lowest_layer_) return true;
+  return sensor_height_m_ && point.z_m + static_cast<float>(*sensor_height_m_) <
+                                 kLowLonely + kLowLonelyPerMetre * point.range_m;
+}
+
 void VirtualScanBuilder::pick_points(const Scan& scan, GroundMethod method) {
-  const bool one_layer = !layered_ && method != GroundMethod::kGrid;
   const auto nearer = [this](std::uint32_t a, std::uint32_t b) {
     const float ra = points_[a].range_m, rb = points_[b].range_m;
     return ra < rb || (ra == rb && a < b);
   };
-  const auto is_ground = [&](const LevelPoint& p) {
-    if (method != GroundMethod::kLayers) return false;
-    const auto height = p.z_m + static_cast<float>(sensor_height_m_.value_or(0));
-    if (p.layer == lowest_layer_) return true;
-    return sensor_height_m_ && height < kLowLonely + kLowLonelyPerMetre * p.range_m;
-  };
+  const bool one_layer = !layered_ && method != GroundMethod::kGrid;
+  const bool seen_over = !scan.beams || method == GroundMethod::kGrid;
+  most_per_bearing_ = options_.points_per_bearing > 0 ? options_.points_per_bearing
+                                                      : (seen_over && !one_layer ? 3 : 1);
   std::uint32_t begin = 0;
   for (const std::uint32_t end : ends_) {
     const auto column = std::span(order_).subspan(begin, end - begin);
     begin = end;
     if (column.empty()) continue;
-    std::ranges::sort(column, nearer);
-    const LevelPoint* lonely = nullptr;
-    int support = 1;
-    for (std::size_t i = 0; i < column.size(); ++i) {
-      const LevelPoint& p = points_[column[i]];
-      support = support_of(column, i);
-      if (one_layer || support > 1) {
-        lonely = &p;
-        break;
-      }
-      if (lonely == nullptr && !is_ground(p)) lonely = &p;
+    if (column.size() > 1) std::ranges::sort(column, nearer);
+    if (one_layer && most_per_bearing_ == 1) {
+      emit(scan, points_[column.front()], 1);
+    } else {
+      pick_column(scan, column, method);
     }
-    if (lonely != nullptr) emit(scan, *lonely, support);
   }
+}
+
+/// `column`: the returns of one bearing by range. What lies behind a gap of separation_m may be
+/// another object; of each such group the nearest supported return is kept.
+void VirtualScanBuilder::pick_column(const Scan& scan, std::span<const std::uint32_t> column,
+                                     GroundMethod method) {
+  const auto separation = static_cast<float>(options_.separation_m);
+  const LevelPoint* lonely = nullptr;
+  int kept = 0;
+  bool group_done = false;
+  for (std::size_t i = 0; i < column.size() && kept < most_per_bearing_; ++i) {
+    const LevelPoint& p = points_[column[i]];
+    if (i > 0 && p.range_m - points_[column[i - 1]].range_m > separation) group_done = false;
+    if (group_done) continue;
+    const int support = support_of(column, i);
+    if (support > 1) {
+      emit(scan, p, support);
+      ++kept;
+      group_done = true;
+    } else if (lonely == nullptr && !is_lonely_ground(p, method)) {
+      lonely = &p;
+    }
+  }
+  if (kept == 0 && lonely != nullptr) emit(scan, *lonely, 1);
 }
 
 void VirtualScanBuilder::emit(const Scan& scan, const LevelPoint& point, int support) {

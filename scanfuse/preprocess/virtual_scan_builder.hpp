@@ -39,6 +39,8 @@ class VirtualScanBuilder {
   void sort_into_columns(const Scan& scan);
   void pick_points(const Scan& scan, GroundMethod method);
   [[nodiscard]] int support_of(std::span<const std::uint32_t> column, std::size_t i) const;
+  void pick_column(const Scan& scan, std::span<const std::uint32_t> column, GroundMethod method);
+  [[nodiscard]] bool is_lonely_ground(const LevelPoint& point, GroundMethod method) const;
   void emit(const Scan& scan, const LevelPoint& point, int support);
   void order_by_bearing();
   void drop_lonely();
@@ -62,6 +64,7 @@ class VirtualScanBuilder {
   std::vector<std::uint8_t> keep_;
   std::int16_t lowest_layer_ = 0;
   bool layered_ = false;
+  int most_per_bearing_ = 1;
   std::optional<double> sensor_height_m_;
 };
 

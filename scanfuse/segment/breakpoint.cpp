@@ -8,29 +8,58 @@
 namespace scanfuse::segment {
 namespace {
 
+/// Columns hold a few points at most; this keeps scans without column numbers linear.
+constexpr std::size_t kLookBack = 16;
+
 double squared_distance(const PlanarPoint& a, const PlanarPoint& b) {
   const double dx = static_cast<double>(a.x_m) - b.x_m, dy = static_cast<double>(a.y_m) - b.y_m;
   return dx * dx + dy * dy;
 }
 
-/// Numbers the runs of points that `linked(earlier, later, gap_rad)` holds together; on a full
-/// circle the last run may go on in the first.
+/// One past the last point of the same bearing column as point `i`.
+std::size_t column_end(const std::vector<PlanarPoint>& points, std::size_t i) {
+  std::size_t end = i + 1;
+  while (end < points.size() && points[end].column == points[i].column) ++end;
+  return end;
+}
+
+/// Joins what `linked(earlier, later, gap_rad)` holds together among the points of each bearing
+/// column and the occupied column before it; on a full circle the last column comes before the
+/// first.
 template <class Linked>
-void label_runs(const VirtualScan& scan, std::vector<std::uint32_t>& labels, Linked linked) {
+void join_runs(const VirtualScan& scan, DisjointSets& sets, Linked linked) {
   const auto& points = scan.points;
-  labels.resize(points.size());
-  if (points.empty()) return;
-  std::uint32_t run = 0;
-  labels[0] = 0;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const double gap = static_cast<double>(points[i].bearing_rad) - points[i - 1].bearing_rad;
-    if (!linked(points[i - 1], points[i], gap)) ++run;
-    labels[i] = run;
+  sets.reset(points.size());
+  std::size_t previous = 0, begin = 0;
+  while (begin < points.size()) {
+    const std::size_t end = column_end(points, begin);
+    for (std::size_t i = begin; i < end; ++i) {
+      for (std::size_t j = std::max(previous, i - std::min(i, kLookBack)); j < i; ++j) {
+        const double gap = static_cast<double>(points[i].bearing_rad) - points[j].bearing_rad;
+        if (linked(points[j], points[i], gap)) {
+          sets.join(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
+        }
+      }
+    }
+    previous = begin;
+    begin = end;
   }
-  if (!scan.full_circle || run == 0) return;
-  const double seam = 2 * kPi + points.front().bearing_rad - points.back().bearing_rad;
-  if (!linked(points.back(), points.front(), seam)) return;
-  for (std::size_t i = points.size(); i-- > 0 && labels[i] == run;) labels[i] = 0;
+  if (!scan.full_circle || previous == 0) return;
+  for (std::size_t i = 0; i < column_end(points, 0); ++i) {
+    for (std::size_t j = std::max(previous, points.size() - std::min(points.size(), kLookBack));
+         j < points.size(); ++j) {
+      const double gap = 2 * kPi + points[i].bearing_rad - points[j].bearing_rad;
+      if (linked(points[j], points[i], gap)) {
+        sets.join(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
+      }
+    }
+  }
+}
+
+/// The root of every point's set.
+void label_roots(DisjointSets& sets, std::vector<std::uint32_t>& labels, std::size_t count) {
+  labels.resize(count);
+  for (std::uint32_t i = 0; i < count; ++i) labels[i] = sets.find(i);
 }
 
 }  // namespace
@@ -52,15 +81,17 @@ const Clusters& Breakpoint::operator()(const VirtualScan& scan) {
     const double threshold = nearer * factor + slack;
     return squared_distance(a, b) <= threshold * threshold;
   };
-  label_runs(scan, labels_, linked);
+  join_runs(scan, sets_, linked);
+  label_roots(sets_, labels_, scan.points.size());
   return gather_(labels_, scan.points.size(), options_.min_points);
 }
 
 const Clusters& DistanceThreshold::operator()(const VirtualScan& scan) {
   const double squared = options_.threshold_m * options_.threshold_m;
-  label_runs(scan, labels_, [&](const PlanarPoint& a, const PlanarPoint& b, double) {
+  join_runs(scan, sets_, [&](const PlanarPoint& a, const PlanarPoint& b, double) {
     return squared_distance(a, b) <= squared;
   });
+  label_roots(sets_, labels_, scan.points.size());
   return gather_(labels_, scan.points.size(), options_.min_points);
 }
 

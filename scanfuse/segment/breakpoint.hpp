@@ -38,6 +38,8 @@ struct BreakpointOptions {
 /// Departures: dphi is the true angle between the two returns (never less than one beam step), so
 /// that missing beams widen the threshold, up to `gap_steps`; dphi >= lambda cuts; r is the nearer
 /// range of the two, so that the direction of the scan does not matter; a full circle has no seam.
+/// Where a bearing column holds several points, each is compared with all of its own and of the
+/// column before.
 class Breakpoint {
  public:
   explicit Breakpoint(BreakpointOptions options = {}) : options_(options) {}
@@ -46,6 +48,7 @@ class Breakpoint {
 
  private:
   BreakpointOptions options_;
+  DisjointSets sets_;
   std::vector<std::uint32_t> labels_;
   Gatherer gather_;
 };
@@ -74,6 +77,7 @@ class DistanceThreshold {
 
  private:
   DistanceThresholdOptions options_;
+  DisjointSets sets_;
   std::vector<std::uint32_t> labels_;
   Gatherer gather_;
 };

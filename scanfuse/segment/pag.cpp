@@ -7,9 +7,6 @@
 
 namespace scanfuse::segment {
 
-Pag::Pag(PagOptions options)
-    : options_(options), rings_(options.cell_m, options.growth, options.range_max_m) {}
-
 const Clusters& Pag::operator()(const VirtualScan& scan) {
   const auto& points = scan.points;
   table_.reset(points.size());
@@ -38,6 +35,8 @@ void Pag::place(CellTable::Cell cell, float weight) {
 }
 
 void Pag::fill_rings(const VirtualScan& scan) {
+  const double growth = std::clamp(2 * scan.step_rad, options_.growth, 0.5);
+  rings_.lay_out({options_.cell_m, growth, options_.depth, options_.range_max_m});
   const auto limit = static_cast<float>(options_.range_max_m);
   for (const PlanarPoint& p : scan.points) {
     if (p.range_m < limit) {
@@ -71,7 +70,7 @@ double Pag::square_size(const VirtualScan& scan) {
       if (p.range_m < limit) sorted_.push_back(p.*axis);
     }
     count = sorted_.size();
-    if (count == 0) return options_.cell_m;
+    if (count == 0) return options_.square_cap_m;
     const auto low = sorted_.begin() + static_cast<std::ptrdiff_t>(count / 100);
     const auto high = sorted_.begin() + static_cast<std::ptrdiff_t>(count - 1 - count / 100);
     std::nth_element(sorted_.begin(), low, sorted_.end());
@@ -81,7 +80,7 @@ double Pag::square_size(const VirtualScan& scan) {
   }
   const double k = std::max(1.0, std::floor(std::sqrt(static_cast<double>(count))));
   const double size = std::sqrt(std::max(area, 0.0)) / k;
-  return std::clamp(size, std::min(0.1, options_.cell_m), options_.cell_m);
+  return std::clamp(size, std::min(0.1, options_.square_cap_m), options_.square_cap_m);
 }
 
 void Pag::mark_dense() {

@@ -31,9 +31,11 @@ constexpr auto choices(PagCells) {
 struct PagOptions {
   PagCells cells = PagCells::kGrowing;
   double range_max_m = 120;
-  double cell_m = 0.5;
-  double growth = 0.025;
-  double density = 1;
+  double cell_m = 0.1;
+  double growth = 0.01;
+  double depth = 4;
+  double square_cap_m = 0.5;
+  double density = 0.35;
   int min_points = 3;
 
   static constexpr auto fields() {
@@ -41,9 +43,11 @@ struct PagOptions {
     return std::tuple{
         Field{"cells", &O::cells, "growing with range, or square as printed"},
         Field{"range_max_m", &O::range_max_m, 1.0, 1000.0, "the region of interest"},
-        Field{"cell_m", &O::cell_m, 0.01, 10.0,
-              "growing: the smallest cell; square: the cap on the cell"},
-        Field{"growth", &O::growth, 0.0, 0.2, "growing: cell size over range"},
+        Field{"cell_m", &O::cell_m, 0.01, 10.0, "growing: width of the nearest cells"},
+        Field{"growth", &O::growth, 0.0, 0.2,
+              "growing: width of a cell over range; never less than two beam steps"},
+        Field{"depth", &O::depth, 0.2, 10.0, "growing: depth of a cell over its width"},
+        Field{"square_cap_m", &O::square_cap_m, 0.05, 10.0, "square: the largest cell"},
         Field{"density", &O::density, 0.0, 10.0, "multiple of MinPts that a dense cell exceeds"},
         Field{"min_points", &O::min_points, 1, 1000, "smaller clusters are dropped"},
     };
@@ -56,7 +60,9 @@ struct PagOptions {
 ///  195 m
 ///    must not stretch the cells; points outside the region are noise;
 ///  - cells that grow with range (or square ones with a cap, whose counts are weighted by
-///    clip(r / 15, 0.3, 5)): one global threshold on equal cells deletes far cars;
+///    clip(r / 15, 0.3, 5)): one global threshold on equal cells deletes far cars. Growing cells
+///    are deeper than wide: returns from a car's flank are far apart along the line of sight, while
+///    what stands beside it is told apart across it;
 ///  - dense means more than MinPts = C (see pag_min_points) times `density`; where no cell exceeds
 ///  it,
 ///    reaching it is enough;
@@ -64,7 +70,7 @@ struct PagOptions {
 /// Time and memory follow the number of points, whatever the area.
 class Pag {
  public:
-  explicit Pag(PagOptions options = {});
+  explicit Pag(PagOptions options = {}) : options_(options) {}
   /// The result stays valid until the next call.
   const Clusters& operator()(const VirtualScan& scan);
 

@@ -10,14 +10,20 @@ namespace {
 constexpr float kShortcutsPerMetre = 8;
 }
 
-RingGrid::RingGrid(double smallest_m, double growth, double range_max_m) {
+void RingGrid::lay_out(const Shape& shape) {
+  if (shape == shape_ && !counts_.empty()) return;
+  shape_ = shape;
+  edges_.clear();
+  counts_.clear();
+  shortcut_.clear();
   double inner = 0;
-  while (inner < range_max_m) {
-    const double size = std::max({smallest_m, growth * inner, 0.01});
+  while (inner < shape.range_max_m) {
+    const double width = std::max({shape.smallest_m, shape.growth * inner, 0.01});
+    const double depth = std::max(shape.depth, 0.2) * width;
     edges_.push_back(static_cast<float>(inner));
     counts_.push_back(
-        std::max(1, static_cast<std::int32_t>(std::ceil(2 * kPi * (inner + size / 2) / size))));
-    inner += size;
+        std::max(1, static_cast<std::int32_t>(std::ceil(2 * kPi * (inner + depth / 2) / width))));
+    inner += depth;
   }
   edges_.push_back(static_cast<float>(inner));
   std::int32_t ring = 0;

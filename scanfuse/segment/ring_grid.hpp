@@ -7,11 +7,20 @@
 
 namespace scanfuse::segment {
 
-/// A polar grid around the sensor whose cells are about square and as large as
-/// max(smallest, growth * r): rows are rings, columns count from -pi around each ring.
+/// A polar grid around the sensor. Its cells are max(smallest, growth * r) wide across the line of
+/// sight and `depth` times that along it: rows are rings, columns count from -pi around each ring.
 class RingGrid {
  public:
-  RingGrid(double smallest_m, double growth, double range_max_m);
+  struct Shape {
+    double smallest_m = 0.1;
+    double growth = 0.01;
+    double depth = 4;
+    double range_max_m = 120;
+    [[nodiscard]] bool operator==(const Shape&) const = default;
+  };
+
+  /// Lays the rings out; nothing happens when they stand so already.
+  void lay_out(const Shape& shape);
 
   /// The cell at a range in [0, range_max_m) and a bearing in [-pi, pi].
   [[nodiscard]] CellTable::Cell cell(float range_m, float bearing_rad) const;
@@ -37,6 +46,7 @@ class RingGrid {
   }
 
  private:
+  Shape shape_;
   std::vector<float> edges_;            ///< inner radius of each ring, and the outer end
   std::vector<std::int32_t> counts_;    ///< cells around each ring
   std::vector<std::int32_t> shortcut_;  ///< the ring at each multiple of kShortcut

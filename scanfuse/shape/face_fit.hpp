@@ -56,7 +56,8 @@ struct FaceFit {
 /// n_i is the side nearest to p_i among those that can be seen from the origin, u_i its beam, rho
 /// Cauchy's: edge returns between object and background and rounded corners weigh little. The
 /// covariance is that of the normal equations times the mean squared residual, held up by a prior.
-/// Points may be few, collinear or equal: what they do not tell gets a large variance.
+/// Points may be few, collinear or equal: what they do not tell gets a large variance. More than 64
+/// points are thinned evenly. Keeps no state between calls.
 [[nodiscard]] FaceFit fit_faces(std::span<const Eigen::Vector2d> points, double heading_rad,
                                 double sigma_range_m, const FaceFitOptions& options);
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scanfuse/shape/line_fit.hpp"
-
 namespace scanfuse::shape {
 namespace {
 
@@ -51,10 +49,11 @@ void split_runs(std::span<const Eigen::Vector2d> points, double threshold_m,
   }
 }
 
-double angle_between(const LineSegment& a, const LineSegment& b) {
+/// Of the angle between the two; 1 where one has no length.
+double cos_between(const LineSegment& a, const LineSegment& b) {
   const Eigen::Vector2d u = a.last_m - a.first_m, v = b.last_m - b.first_m;
-  const double cross = u.x() * v.y() - u.y() * v.x(), dot = u.dot(v);
-  return cross == 0 && dot == 0 ? 0 : std::abs(std::atan2(cross, dot));
+  const double lengths = u.squaredNorm() * v.squaredNorm();
+  return lengths > 0 ? u.dot(v) / std::sqrt(lengths) : 1;
 }
 
 }  // namespace
@@ -66,7 +65,7 @@ std::span<const LineSegment> Iepf::operator()(std::span<const Eigen::Vector2d> p
   const double range = points[points.size() / 2].norm();
   split(points, std::max({options_.threshold_m, options_.sigma_factor * sigma_range_m,
                           options_.range_factor * range}));
-  merge(points);
+  merge();
   drop_stubs();
   for (const Run& run : runs_) lines_.push_back(run.line);
   return lines_;
@@ -74,21 +73,22 @@ std::span<const LineSegment> Iepf::operator()(std::span<const Eigen::Vector2d> p
 
 void Iepf::split(std::span<const Eigen::Vector2d> points, double threshold_m) {
   runs_.clear();
+  sums_.reset(points);
   split_runs(points, threshold_m, stack_, [&](std::size_t first, std::size_t last) {
-    runs_.push_back({first, last, fit_segment(points.subspan(first, last - first + 1))});
+    runs_.push_back({first, last, sums_.fit(first, last)});
   });
 }
 
-void Iepf::merge(std::span<const Eigen::Vector2d> points) {
+void Iepf::merge() {
   std::size_t kept = 0;
   for (std::size_t k = 1; k < runs_.size(); ++k) {
     Run& before = runs_[kept];
     const Run& next = runs_[k];
-    const bool joined = angle_between(before.line, next.line) < options_.merge_angle_rad &&
+    const bool joined = cos_between(before.line, next.line) > merge_cos_ &&
                         (next.line.first_m - before.line.last_m).norm() < options_.merge_gap_m;
     if (joined) {
       before.last = next.last;
-      before.line = fit_segment(points.subspan(before.first, before.last - before.first + 1));
+      before.line = sums_.fit(before.first, before.last);
     } else {
       runs_[++kept] = next;
     }

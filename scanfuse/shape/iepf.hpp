@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cmath>
 #include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "scanfuse/core/options.hpp"
+#include "scanfuse/shape/line_fit.hpp"
 #include "scanfuse/types/outline.hpp"
 
 namespace scanfuse::shape {
@@ -41,7 +43,8 @@ struct IepfOptions {
 /// rounded corners are merged or dropped. Buffers are reused between calls: one object per thread.
 class Iepf {
  public:
-  explicit Iepf(const IepfOptions& options = {}) : options_(options) {}
+  explicit Iepf(const IepfOptions& options = {})
+      : options_(options), merge_cos_(std::cos(options.merge_angle_rad)) {}
 
   /// Lines in order of the points (metres, origin at the sensor); at least one for any point at
   /// all. Valid until the next call.
@@ -55,10 +58,12 @@ class Iepf {
     LineSegment line;
   };
   void split(std::span<const Eigen::Vector2d> points, double threshold_m);
-  void merge(std::span<const Eigen::Vector2d> points);
+  void merge();
   void drop_stubs();
 
   IepfOptions options_;
+  double merge_cos_;
+  RunningSums sums_;
   std::vector<std::pair<std::size_t, std::size_t>> stack_;
   std::vector<Run> runs_;
   std::vector<LineSegment> lines_;

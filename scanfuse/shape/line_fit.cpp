@@ -1,5 +1,6 @@
 #include "scanfuse/shape/line_fit.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace scanfuse::shape {
@@ -22,21 +23,37 @@ double rms_from_line(std::span<const Eigen::Vector2d> points, const Eigen::Vecto
 }  // namespace
 
 LineSegment fit_segment(std::span<const Eigen::Vector2d> points) {
-  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-  for (const auto& p : points) mean += p;
-  mean /= static_cast<double>(points.size());
-  double xx = 0, xy = 0, yy = 0;
+  RunningSums sums;
+  sums.reset(points);
+  return sums.fit(0, points.size() - 1);
+}
+
+void RunningSums::reset(std::span<const Eigen::Vector2d> points) {
+  points_ = points;
+  sums_.clear();
+  sums_.emplace_back();
   for (const auto& p : points) {
-    const Eigen::Vector2d d = p - mean;
-    xx += d.x() * d.x();
-    xy += d.x() * d.y();
-    yy += d.y() * d.y();
+    const double x = p.x() - points[0].x(), y = p.y() - points[0].y();
+    const Sums& s = sums_.back();
+    sums_.push_back({s.x + x, s.y + y, s.xx + x * x, s.xy + x * y, s.yy + y * y});
   }
-  const double angle = 0.5 * std::atan2(2 * xy, xx - yy);
-  const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
-  return {mean + direction * direction.dot(points.front() - mean),
-          mean + direction * direction.dot(points.back() - mean),
-          rms_from_line(points, mean, direction), static_cast<int>(points.size())};
+}
+
+/// The direction at half the angle of (xx - yy, 2 xy), the larger axis of the scatter.
+LineSegment RunningSums::fit(std::size_t first, std::size_t last) const {
+  const Sums &a = sums_[first], &b = sums_[last + 1];
+  const auto count = static_cast<double>(last - first + 1);
+  const double mx = (b.x - a.x) / count, my = (b.y - a.y) / count;
+  const double xx = (b.xx - a.xx) / count - mx * mx, yy = (b.yy - a.yy) / count - my * my;
+  const double xy = (b.xy - a.xy) / count - mx * my;
+  const double spread = std::hypot(xx - yy, 2 * xy);
+  const double cos2 = spread > 0 ? (xx - yy) / spread : 1;
+  const Eigen::Vector2d direction(std::sqrt(std::max(1 + cos2, 0.0) / 2),
+                                  std::copysign(std::sqrt(std::max(1 - cos2, 0.0) / 2), xy));
+  const Eigen::Vector2d mean = points_[0] + Eigen::Vector2d(mx, my);
+  return {mean + direction * direction.dot(points_[first] - mean),
+          mean + direction * direction.dot(points_[last] - mean),
+          std::sqrt(std::max((xx + yy - spread) / 2, 0.0)), static_cast<int>(last - first + 1)};
 }
 
 LineSegment chord(std::span<const Eigen::Vector2d> points) {

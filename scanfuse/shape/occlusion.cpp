@@ -5,11 +5,13 @@
 namespace scanfuse::shape {
 namespace {
 
-/// Looks from `end` in the direction of `step` (+1: larger bearing) for a nearer point.
-bool hidden_beyond(const VirtualScan& scan, std::uint32_t end, int step,
-                   const OcclusionOptions& options) {
+/// Looks from `end` in the direction of `step` (+1: larger bearing).
+bool may_go_on(const VirtualScan& scan, std::uint32_t end, int step,
+               const OcclusionOptions& options) {
   const auto count = static_cast<std::int64_t>(scan.points.size());
   const PlanarPoint& from = scan.points[end];
+  const double view_end = step > 0 ? scan.view_to_rad : -scan.view_from_rad;
+  if (step * from.bearing_rad > view_end - 1.5 * scan.step_rad) return true;
   for (std::int64_t k = 1; k <= options.columns && k < count; ++k) {
     std::int64_t index = static_cast<std::int64_t>(end) + step * k;
     const bool wrapped = index < 0 || index >= count;
@@ -20,6 +22,7 @@ bool hidden_beyond(const VirtualScan& scan, std::uint32_t end, int step,
       return false;
     }
     if (other.range_m < from.range_m - options.nearer_by_m) return true;
+    if (k == 1 && other.range_m < from.range_m + options.beside_m) return true;
   }
   return false;
 }
@@ -28,7 +31,7 @@ bool hidden_beyond(const VirtualScan& scan, std::uint32_t end, int step,
 
 CutEnds find_cut_ends(const VirtualScan& scan, std::uint32_t first, std::uint32_t last,
                       const OcclusionOptions& options) {
-  return {hidden_beyond(scan, last, 1, options), hidden_beyond(scan, first, -1, options)};
+  return {may_go_on(scan, last, 1, options), may_go_on(scan, first, -1, options)};
 }
 
 }  // namespace scanfuse::shape

@@ -10,6 +10,7 @@ namespace scanfuse::shape {
 
 struct OcclusionOptions {
   double nearer_by_m = 0.5;
+  double beside_m = 0.5;
   int columns = 3;
 
   static constexpr auto fields() {
@@ -17,6 +18,8 @@ struct OcclusionOptions {
     return std::tuple{
         Field{"nearer_by_m", &O::nearer_by_m, 0.0, 100.0,
               "a neighbour nearer by this much may hide the rest of an object"},
+        Field{"beside_m", &O::beside_m, 0.0, 100.0,
+              "a neighbour no farther behind than this may be a part of the object"},
         Field{"columns", &O::columns, 1, 100, "how many columns beyond an end are looked at"},
     };
   }
@@ -27,8 +30,10 @@ struct CutEnds {
   bool right = false;
 };
 
-/// Whether something nearer stands beside an object's outermost points, so that the object may go
-/// on behind it. `first` and `last` index scan.points: the ends of smallest and largest bearing.
+/// Which ends of an object were not seen: something nearer stands beside its outermost point and
+/// may hide the rest; or the next column goes on at about the same range, so that the cut was made
+/// by clustering; or the field of view ends. `first` and `last` index scan.points: the ends of
+/// smallest and largest bearing.
 [[nodiscard]] CutEnds find_cut_ends(const VirtualScan& scan, std::uint32_t first,
                                     std::uint32_t last, const OcclusionOptions& options);
 

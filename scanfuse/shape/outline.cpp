@@ -1,6 +1,7 @@
 #include "scanfuse/shape/outline.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -71,7 +72,7 @@ ShapeOptions to_scale(ShapeOptions options) {
   for (double* length :
        {&options.outline.max_extent_m, &options.outline.max_end_gap_m, &options.iepf.threshold_m,
         &options.iepf.merge_gap_m, &options.iepf.min_length_m, &options.faces.surface_sigma_m,
-        &options.faces.min_face_m, &options.occlusion.nearer_by_m}) {
+        &options.faces.min_face_m, &options.occlusion.nearer_by_m, &options.occlusion.beside_m}) {
     *length *= scale;
   }
   options.outline.scale = 1;
@@ -122,6 +123,22 @@ void OutlineExtractor::find_lines(const VirtualScan& scan, Outline& outline) {
   outline.lines.assign(lines.begin(), lines.end());
 }
 
+/// The first three lines and the chord bring the headings; more lines make no car.
+double OutlineExtractor::find_heading(const Outline& outline, double sigma_range_m) {
+  if (options_.outline.search == Search::kFull) return search_(points_, sigma_range_m);
+  constexpr std::size_t kMostSeeds = 4;
+  std::array<double, kMostSeeds> seeds{};
+  std::size_t count = 0;
+  for (const LineSegment& line : outline.lines) {
+    if (count + 1 < kMostSeeds && line.points > 2) seeds[count++] = line.direction_rad();
+  }
+  const Eigen::Vector2d chord_m = points_.back() - points_.front();
+  if (outline.lines.size() != 1) seeds[count++] = std::atan2(chord_m.y(), chord_m.x());
+  if (count == 0) return outline.lines.front().direction_rad();
+  if (count == 1) return seeds[0];
+  return search_.among(std::span(seeds).first(count), points_, sigma_range_m);
+}
+
 void OutlineExtractor::find_box(const VirtualScan& scan, Outline& outline) {
   const CutEnds cut = find_cut_ends(scan, order_.front(), order_.back(), options_.occlusion);
   const double sigma = std::max(scan.sigma_range_m, 1e-4);
@@ -134,7 +151,7 @@ void OutlineExtractor::find_box(const VirtualScan& scan, Outline& outline) {
     faces.iterations = 1;
     heading = fit_segment(points_).direction_rad();
   } else {
-    heading = search_(points_, sigma);
+    heading = find_heading(outline, sigma);
   }
   set_box(fit_faces(points_, heading, sigma, faces), points_, cut, beams, outline);
 }

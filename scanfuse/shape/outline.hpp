@@ -15,6 +15,13 @@
 
 namespace scanfuse::shape {
 
+/// Headings that are tried for a box: those of the lines found, or a full turn in equal steps.
+enum class Search { kLines, kFull };
+
+constexpr auto choices(Search) {
+  return std::array{std::pair{"lines", Search::kLines}, std::pair{"full", Search::kFull}};
+}
+
 enum class LineMethod { kIepf, kIepfLiteral };
 
 constexpr auto choices(LineMethod) {
@@ -24,6 +31,7 @@ constexpr auto choices(LineMethod) {
 
 struct OutlineOptions {
   LineMethod lines = LineMethod::kIepf;
+  Search search = Search::kLines;
   Criterion criterion = Criterion::kCloseness;
   double scale = 1;
   int search_steps = 18;
@@ -35,10 +43,12 @@ struct OutlineOptions {
     using O = OutlineOptions;
     return std::tuple{
         Field{"lines", &O::lines, "how points are cut into lines"},
+        Field{"search", &O::search, "headings tried: of the lines (fast), or all"},
         Field{"criterion", &O::criterion, "what the search for the heading maximises"},
         Field{"scale", &O::scale, 0.001, 100.0,
               "size of the vehicles against real ones: 0.1 for models of 1:10; multiplies lengths"},
-        Field{"search_steps", &O::search_steps, 4, 360, "headings tried over 90 degrees"},
+        Field{"search_steps", &O::search_steps, 4, 360,
+              "headings tried over 90 degrees by a full search"},
         Field{"search_points", &O::search_points, 4, 64, "bigger clusters are thinned to this"},
         Field{"max_extent_m", &O::max_extent_m, 0.1, 1000.0,
               "longer clusters are walls or hedges: one line, no box search"},
@@ -77,6 +87,7 @@ class OutlineExtractor {
   void gather(const VirtualScan& scan, std::span<const std::uint32_t> indices);
   void find_lines(const VirtualScan& scan, Outline& outline);
   void find_box(const VirtualScan& scan, Outline& outline);
+  [[nodiscard]] double find_heading(const Outline& outline, double sigma_range_m);
 
   ShapeOptions options_;
   Iepf iepf_;

@@ -52,11 +52,10 @@ float VarianceCriterion::operator()(const Along& c1, const Along& c2) const {
 }
 
 template <class Score>
-double RectangleSearch::best_heading(const Score& score) {
+double RectangleSearch::best_heading(std::span<const double> headings_rad, const Score& score) {
   double best = 0;
   float highest = -std::numeric_limits<float>::infinity();
-  for (int k = 0; k < steps_; ++k) {
-    const double heading = kPi / 2 * k / steps_;
+  for (const double heading : headings_rad) {
     const auto c = static_cast<float>(std::cos(heading)), s = static_cast<float>(std::sin(heading));
     c1_ = c * x_ + s * y_;
     c2_ = c * y_ - s * x_;
@@ -69,7 +68,8 @@ double RectangleSearch::best_heading(const Score& score) {
   return best;
 }
 
-double RectangleSearch::operator()(std::span<const Eigen::Vector2d> points, double sigma_range_m) {
+/// Thins the points into the buffers; the greatest distance from the first.
+double RectangleSearch::gather(std::span<const Eigen::Vector2d> points) {
   const auto count = static_cast<Eigen::Index>(points.size());
   const Eigen::Index stride = (count + max_points_ - 1) / max_points_;
   const Eigen::Index kept = (count + stride - 1) / stride;
@@ -82,17 +82,28 @@ double RectangleSearch::operator()(std::span<const Eigen::Vector2d> points, doub
     y_[i] = static_cast<float>(d.y());
     reach = std::max(reach, d.squaredNorm());
   }
+  return std::sqrt(reach);
+}
+
+double RectangleSearch::operator()(std::span<const Eigen::Vector2d> points, double sigma_range_m) {
+  return among(grid_, points, sigma_range_m);
+}
+
+double RectangleSearch::among(std::span<const double> headings_rad,
+                              std::span<const Eigen::Vector2d> points, double sigma_range_m) {
+  const double reach = gather(points);
   if (!(reach > 0)) return 0;
-  const double floor = std::max(2 * sigma_range_m, std::sqrt(reach) / 2 * kPi / 4 / steps_);
   switch (criterion_) {
     case Criterion::kArea:
-      return best_heading(AreaCriterion{});
+      return best_heading(headings_rad, AreaCriterion{});
     case Criterion::kVariance:
-      return best_heading(VarianceCriterion{});
+      return best_heading(headings_rad, VarianceCriterion{});
     case Criterion::kCloseness:
       break;
   }
-  return best_heading(ClosenessCriterion{static_cast<float>(floor)});
+  const double half_step = kPi / 4 / static_cast<double>(std::max<std::size_t>(grid_.size(), 1));
+  const double floor = std::max(2 * sigma_range_m, reach / 2 * half_step);
+  return best_heading(headings_rad, ClosenessCriterion{static_cast<float>(floor)});
 }
 
 }  // namespace scanfuse::shape

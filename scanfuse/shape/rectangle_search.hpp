@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "scanfuse/geometry/angles.hpp"
+
 namespace scanfuse::shape {
 
 /// Which number says how well points lie on the sides of a rectangle of some heading [Zhang2017].
@@ -44,17 +46,24 @@ class RectangleSearch {
  public:
   explicit RectangleSearch(Criterion criterion = Criterion::kCloseness, int steps = 18,
                            int max_points = 48)
-      : criterion_(criterion), steps_(steps), max_points_(std::min(max_points, kMostPoints)) {}
+      : criterion_(criterion), max_points_(std::min(max_points, kMostPoints)) {
+    for (int k = 0; k < steps; ++k) grid_.push_back(kPi / 2 * k / steps);
+  }
+
+  /// The best of the given headings, for when lines already tell which come into question.
+  [[nodiscard]] double among(std::span<const double> headings_rad,
+                             std::span<const Eigen::Vector2d> points, double sigma_range_m);
 
   /// Heading in [0, pi/2). More than max_points points are thinned evenly. `points` not empty.
   [[nodiscard]] double operator()(std::span<const Eigen::Vector2d> points, double sigma_range_m);
 
  private:
+  double gather(std::span<const Eigen::Vector2d> points);
   template <class Score>
-  double best_heading(const Score& score);
+  double best_heading(std::span<const double> headings_rad, const Score& score);
 
   Criterion criterion_;
-  int steps_;
+  std::vector<double> grid_;
   int max_points_;
   static constexpr int kMostPoints = 64;
   using Buffer = Eigen::Array<float, Eigen::Dynamic, 1, 0, kMostPoints, 1>;

@@ -181,12 +181,12 @@ World lu2018_2(RandomStream random) {
   Actor second = car(2, random);
   const double ego_speed = random.uniform(7, 8);
   const double gap = random.uniform(28, 31);
-  const double first_y = random.uniform(0.3, 0.6);
-  const double from_y = kLeftLane - random.uniform(0.2, 0.4);
-  const double to_y = -0.55 + random.uniform(-0.1, 0.1);
+  const double first_y = random.uniform(0.6, 0.9);
+  const double from_y = kLeftLane + random.uniform(-0.1, 0.1);
+  const double to_y = random.uniform(-0.35, -0.15);
 
   const auto place = [&](double change_s, double ego_s) {
-    drive.ego = {Spline({0, 1}, {0, ego_speed}), lane_change(-0.3, 1.4, ego_s, 2.4), std::nullopt};
+    drive.ego = {Spline({0, 1}, {0, ego_speed}), lane_change(0, 1.7, ego_s, 2.4), std::nullopt};
     first.motion = {
         along_road(drive, {{0, gap}, {60, gap + 1}, {140, gap + 2}}, first.length_m / 2),
         constant(first_y), std::nullopt};

@@ -18,9 +18,8 @@ constexpr std::array kScenarios{
     Scenario{{"lu2018-2", "a car cuts in at frame 51 and hides the other from 62 to 74"}, lu2018_2},
     Scenario{{"lu2018-3", "three cars, one leaves the view at frame 16"}, lu2018_3},
     Scenario{{"empty-road", "nobody but the ego car"}, empty_road},
-    // CR    Scenario{{"crossing", "an intersection with crossing and turning cars"}, crossing},
-    // CR    Scenario{{"road-users", "cars, pedestrians, cyclists and clutter to 60 m"},
-    // road_users},
+    Scenario{{"crossing", "an intersection with crossing and turning cars"}, crossing},
+    Scenario{{"road-users", "cars, pedestrians, cyclists and clutter to 60 m"}, road_users},
 };
 
 // An instant in the life of every simulated recording: 2018-07-01 00:00 UTC.
@@ -91,24 +90,30 @@ Result<Simulation> Simulation::create(std::string_view scenario, std::uint64_t s
               nearest_name(std::string(scenario), names));
 }
 
-std::optional<SimulatedFrame> Simulation::next() {
+std::optional<SimulatedFrame> Simulation::next_truth() {
   State& s = *state_;
   if (s.next_frame >= s.frames) return std::nullopt;
   const std::int64_t frame = s.next_frame++;
   const double t = s.scanner.stamp_s(frame);
   const Time stamp = time_from_nanos(kStartSeconds * 1'000'000'000) + duration_from_seconds(t);
-  Sweep sweep = s.scanner.scan(frame);
 
   SimulatedFrame out;
-  out.scan = {stamp, frame, "/scan", "lidar", std::move(sweep.returns), s.scanner.model().pattern};
-  out.label = std::move(sweep.label);
+  out.scan = {stamp, frame, "/scan", "lidar", {}, s.scanner.model().pattern};
   out.ego = s.ego(stamp, t);
   out.truth = {stamp, frame, "world", {}};
-  for (std::size_t a = 0; a < s.world.actors.size(); ++a) {
-    TruthObject object = truth_of(s.world.actors[a], t);
-    object.visible_points = sweep.visible_points[a];
-    object.occluded = sweep.occluded[a];
-    out.truth.objects.push_back(object);
+  for (const Actor& actor : s.world.actors) out.truth.objects.push_back(truth_of(actor, t));
+  return out;
+}
+
+std::optional<SimulatedFrame> Simulation::next() {
+  auto out = next_truth();
+  if (!out) return out;
+  Sweep sweep = state_->scanner.scan(out->scan.frame);
+  out->scan.returns = std::move(sweep.returns);
+  out->label = std::move(sweep.label);
+  for (std::size_t a = 0; a < out->truth.objects.size(); ++a) {
+    out->truth.objects[a].visible_points = sweep.visible_points[a];
+    out->truth.objects[a].occluded = sweep.occluded[a];
   }
   return out;
 }

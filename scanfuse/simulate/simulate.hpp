@@ -68,6 +68,8 @@ class Simulation {
   Simulation& operator=(Simulation&&) noexcept;
 
   [[nodiscard]] std::optional<SimulatedFrame> next();
+  /// As `next`, without measuring: no returns, and truth that does not say what is seen of it.
+  [[nodiscard]] std::optional<SimulatedFrame> next_truth();
   [[nodiscard]] Pose3 ego_from_sensor() const;
   [[nodiscard]] int frames() const;
   [[nodiscard]] const SensorModel& sensor() const;

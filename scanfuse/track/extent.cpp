@@ -54,7 +54,7 @@ void update_lower_bound(Gaussian<kStates>& state, int place, double bound_m, dou
 void update_side(Gaussian<kStates>& state, int place, const MeasuredSide& side) {
   if (side.seen) {
     update_seen(state, place, side);
-  } else {
+  } else if (side.bounded) {
     const double sigma = std::sqrt(std::min(side.variance_m2, 1.0));
     update_lower_bound(state, place, side.size_m - 2 * sigma, kSideSigma_m);
   }

@@ -9,6 +9,7 @@ namespace scanfuse::track {
 namespace {
 
 constexpr double kSlowest_m_per_s = 0.5;   ///< below, noise and motion look alike
+constexpr double kFast_m_per_s = 2;       ///< no vehicle slides sideways like this
 constexpr double kSureRatio = 4.0;         ///< speed over its deviation
 constexpr double kCourseSigma_rad = 0.05;  ///< side slip, and a box that is not quite straight
 constexpr double kYawAccel = 0.4;          ///< rad/s gained in one second when moving
@@ -32,7 +33,11 @@ bool follows_its_course(const Target& target) {
   return kind == ObjectClass::kPedestrian || kind == ObjectClass::kUnknown;
 }
 
-/// A course across the heading: for the classes whose box says nothing it simply wins.
+/// Fast and straight enough to overrule a box: a quarter turn must not follow from noise.
+bool surely_across(const Course& course) {
+  return course.speed_m_per_s > kFast_m_per_s && course.variance_rad2 < radians(10) * radians(10);
+}
+
 void turn_to(Target& target, const Course& course) {
   target.heading.mean << course.direction_rad, 0;
   target.heading.covariance = Eigen::Vector2d(course.variance_rad2 + 0.1, 0.25).asDiagonal();
@@ -70,9 +75,9 @@ void update_heading(Target& target, const Measurement& measurement) {
        measurement.var_heading_rad2 + sigma_floor * sigma_floor);
 }
 
-void align_heading_with_course(Target& target, double dt_s) {
+bool align_heading_with_course(Target& target, double dt_s) {
   const Course course = course_of(target.state);
-  if (!course.reliable) return;
+  if (!course.reliable) return false;
   const double along = std::cos(course.direction_rad - target.heading_rad());
   target.forward_m =
       std::min(target.forward_m + along * course.speed_m_per_s * dt_s, kForwardMemory_m);
@@ -87,7 +92,11 @@ void align_heading_with_course(Target& target, double dt_s) {
          4 * course.variance_rad2 + kCourseSigma_rad * kCourseSigma_rad);
   } else if (follows_its_course(target)) {
     turn_to(target, course);
+  } else if (off < radians(135) && surely_across(course)) {
+    turn_to(target, course);
+    return true;
   }
+  return false;
 }
 
 }  // namespace scanfuse::track

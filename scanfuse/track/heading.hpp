@@ -21,7 +21,9 @@ void predict_heading(Target& target, double dt_s);
 /// Folds in the heading of a detected box, already turned to the nearest of two or four.
 void update_heading(Target& target, const Measurement& measurement);
 
-/// Lets motion speak: settles the sign by the way gone, draws the heading to the course.
-void align_heading_with_course(Target& target, double dt_s);
+/// Lets motion speak: settles the sign by the way gone, draws the heading to the course. True when
+/// it was turned by a quarter because the object surely moves across it: then the single face that
+/// was taken for the rear is the side, or the other way round, and the extent has to be read anew.
+bool align_heading_with_course(Target& target, double dt_s);
 
 }  // namespace scanfuse::track

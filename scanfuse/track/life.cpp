@@ -103,6 +103,19 @@ Target birth(const Detection& detection, int index, std::int64_t id, Time stamp,
   return target;
 }
 
+void reseat(Target& target, const Detection& detection, const TrackerOptions& options) {
+  const Measurement m = measure(detection, target.heading_rad(), options);
+  Gaussian<4> motion = estimate::start_from_one_point(m.position, 1);
+  for (const int row : {kVx, kVy}) {
+    motion.mean(row) = target.state.mean(row);
+    for (const int column : {kVx, kVy}) {
+      motion.covariance(row, column) = target.state.covariance(row, column);
+    }
+  }
+  target.state = starting_state(motion, starting_extent(detection, m, options), m);
+  update_extent(target.state, m);
+}
+
 void promote(Target& target, const TrackerOptions& options) {
   if (target.status != TrackStatus::kTentative) return;
   const int window = std::max(options.confirm_window, options.confirm_hits);

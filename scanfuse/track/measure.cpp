@@ -29,17 +29,36 @@ int nearest_quarter(const Detection& detection, double reference_rad) {
   return static_cast<int>(std::lround(turn / (kPi / 2)));
 }
 
-/// Where the seen end of each side lies in the box: 0 for both, else towards the sensor.
-Eigen::Vector2d seen_ends(const Box2& box, const Eigen::Vector2d& seen_from, bool length_seen,
-                          bool width_seen) {
-  const Eigen::Vector2d viewer = box.pose().inverse() * seen_from;
-  return {length_seen ? 0.0 : std::copysign(1.0, viewer.x()),
-          width_seen ? 0.0 : std::copysign(1.0, viewer.y())};
+/// The end of a side that stood free: +1 or -1 along the axis, 0 for both or neither.
+double free_end(const Detection& detection, const Eigen::Vector2d& axis) {
+  if (detection.left_end_occluded == detection.right_end_occluded) return 0;
+  const Eigen::Vector2d sight = detection.box.centre_m - detection.seen_from_m;
+  const bool axis_points_left = sight.x() * axis.y() - sight.y() * axis.x() > 0;
+  return axis_points_left == detection.right_end_occluded ? 1 : -1;
+}
+
+/// Where the placed point of the box lies: its corner for two faces, the middle or the free end of
+/// a single one, never the end that was only believed.
+Eigen::Vector2d seen_ends(const Detection& detection, const Box2& box, const Measurement& m) {
+  const Eigen::Vector2d viewer = box.pose().inverse() * detection.seen_from_m;
+  const Eigen::Vector2d to_viewer(std::copysign(1.0, viewer.x()), std::copysign(1.0, viewer.y()));
+  if (detection.faces_seen == 2) return to_viewer;
+  if (detection.faces_seen == 0) {
+    return {m.length.seen ? 0 : to_viewer.x(), m.width.seen ? 0 : to_viewer.y()};
+  }
+  const bool looks_along_length =
+      std::abs(viewer.x()) - box.length_m / 2 > std::abs(viewer.y()) - box.width_m / 2;
+  const Eigen::Vector2d axis(std::cos(box.heading_rad), std::sin(box.heading_rad));
+  if (looks_along_length) {
+    return {to_viewer.x(),
+            m.width.seen ? 0 : free_end(detection, Eigen::Vector2d(-axis.y(), axis.x()))};
+  }
+  return {m.length.seen ? 0 : free_end(detection, axis), to_viewer.y()};
 }
 
 void measure_box(const Detection& detection, double sigma_position_m, Measurement& m) {
   const Box2 box{detection.box.centre_m, m.heading_rad, m.length.size_m, m.width.size_m};
-  const Eigen::Vector2d ends = seen_ends(box, detection.seen_from_m, m.length.seen, m.width.seen);
+  const Eigen::Vector2d ends = seen_ends(detection, box, m);
   const double c = std::cos(m.heading_rad), s = std::sin(m.heading_rad);
   Eigen::Matrix2d half_sides;
   half_sides << c * ends.x() / 2, -s * ends.y() / 2, s * ends.x() / 2, c * ends.y() / 2;
@@ -73,7 +92,11 @@ Measurement measure(const Detection& detection, double heading_rad, const Tracke
   m.length = {detection.box.length_m, sound_variance(detection.var_length_m2),
               detection.length_seen};
   m.width = {detection.box.width_m, sound_variance(detection.var_width_m2), detection.width_seen};
-  if (quarters % 2 != 0) std::swap(m.length, m.width);
+  if (quarters % 2 != 0) {
+    std::swap(m.length, m.width);
+    m.length.bounded = m.length.seen;
+    m.width.bounded = m.width.seen;
+  }
 
   switch (options.measurement) {
     case MeasuredAs::kBox:

@@ -10,15 +10,18 @@ namespace scanfuse::track {
 struct MeasuredSide {
   double size_m = 0;
   double variance_m2 = 1;
-  bool seen = false;  ///< both ends; else `size_m` is a prior or a lower bound
+  bool seen = false;    ///< both ends; else `size_m` is a prior or a lower bound
+  bool bounded = true;  ///< `size_m` speaks of this side: not when believed of the other one
 };
 
 /// A detection as a linear measurement of a target:
 ///
 ///   z = p_a + v,   p_a = c + R(heading) [s_l length / 2, s_w width / 2]' = H x
 ///
-/// c is the centre. s is 0 for a side of which both ends were seen: the centre itself is measured
-/// along it. Else s = +-1 points to the end that was seen, the one turned to the sensor.
+/// c is the centre, p_a the point that was really placed: the corner turned to the sensor when two
+/// faces were seen (s = +-1), the middle of a single whole face (s = 0 along it), or its free end
+/// when the other one was hidden. How far the centre lies from there is the target's belief of its
+/// own extent, not the detection's.
 struct Measurement {
   Gaussian<2> position;
   Eigen::Matrix<double, 2, kStates> H;

@@ -38,6 +38,10 @@ void promote(Target& target, const TrackerOptions& options);
 [[nodiscard]] Target birth(const Detection& detection, int index, std::int64_t id, Time stamp,
                            double dt_s, const TrackerOptions& options);
 
+/// Reads the extent and the place of the centre anew from a detection, after the heading was turned
+/// by a quarter; velocity stays.
+void reseat(Target& target, const Detection& detection, const TrackerOptions& options);
+
 /// Whether a detection belongs to a confirmed target that already took another one: a part of it.
 [[nodiscard]] bool is_part_of(const Detection& detection, std::span<const Target> targets);
 

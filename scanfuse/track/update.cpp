@@ -93,7 +93,7 @@ void update(Target& target, const Detection& detection, int index, Time stamp, d
   target.state = estimate::update(target.state, m.position, m.H);
   update_extent(target.state, m);
   update_heading(target, m);
-  align_heading_with_course(target, dt_s);
+  if (align_heading_with_course(target, dt_s)) reseat(target, detection, options);
   update_acceleration(target, speed_before, dt_s);
   target.class_weight[static_cast<std::size_t>(detection.object_class)] +=
       std::clamp(detection.score, 0.0, 1.0);

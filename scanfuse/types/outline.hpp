@@ -29,7 +29,8 @@ struct Outline {
   Box2 box;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< of the seen corner or face: x, y, heading
   int faces_seen = 0;
-  bool left_end_occluded = false;   ///< the end of larger bearing is cut off by something nearer
+  /// The end of larger bearing may go on: something nearer hides it, or the field of view ends.
+  bool left_end_occluded = false;
   bool right_end_occluded = false;
   int points = 0;
   double time_offset_s = 0;  ///< when its beams were fired, after the scan's stamp: mean of its points

@@ -49,8 +49,9 @@ struct StepResult {
   std::string sensor;
   Pose3 world_from_ego;
   Pose3 ego_from_sensor;
-  std::vector<Detection> detections;  ///< in the output frame
-  std::vector<Track> tracks;          ///< in the output frame
+  std::string coordinate_frame = "world";  ///< the output frame: "world" or "ego"
+  std::vector<Detection> detections;       ///< in the output frame
+  std::vector<Track> tracks;               ///< in the output frame
 };
 
 }  // namespace scanfuse

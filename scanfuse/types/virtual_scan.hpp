@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "scanfuse/core/time.hpp"
@@ -30,6 +31,9 @@ struct VirtualScan {
   double step_rad = 0;              ///< between columns
   bool full_circle = false;         ///< the last column is a neighbour of the first
   double sigma_range_m = 0.03;      ///< range noise of the sensor
+  /// Where the field of view ends, if it does: an object reaching there may go on outside.
+  double view_from_rad = -std::numeric_limits<double>::infinity();
+  double view_to_rad = std::numeric_limits<double>::infinity();
 
   [[nodiscard]] Eigen::Vector2d position(std::uint32_t index) const {
     return {points[index].x_m, points[index].y_m};

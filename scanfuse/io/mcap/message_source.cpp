@@ -62,8 +62,8 @@ class McapSource final : public RawMessageSource {
   [[nodiscard]] Result<std::optional<RawMessage>> next() override {
     auto message = reader_.next();
     if (!message) return tl::unexpected(message.error());
-    if (!*message) return std::nullopt;
     add_new_channels();
+    if (!*message) return std::nullopt;
     const auto& view = **message;
     return RawMessage{index_of_.at(view.channel_id),
                       time_from_log(view.log_time),
@@ -105,18 +105,15 @@ class McapSource final : public RawMessageSource {
         raw.definition = schema->second.data;
       }
       index_of_.emplace(id, static_cast<std::uint32_t>(channels_.size()));
+      info_.topics.push_back({raw.topic, raw.type, raw.encoding, 0, false, false, false});
       channels_.push_back(std::move(raw));
     }
   }
 
   void fill_info(const Counts& counts) {
-    info_.topics.resize(channels_.size());
     for (const auto& [id, index] : index_of_) {
       const auto found = counts.messages.find(id);
       auto& topic = info_.topics[index];
-      topic.name = channels_[index].topic;
-      topic.type = channels_[index].type;
-      topic.encoding = channels_[index].encoding;
       topic.counted = counts.counted;
       if (counts.counted && found != counts.messages.end()) {
         topic.messages = static_cast<std::int64_t>(

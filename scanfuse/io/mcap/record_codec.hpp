@@ -40,6 +40,38 @@ struct CheckedAttachment {
   bool crc_matches = true;
 };
 
+// These records can be parsed.
+template <>
+std::optional<Header> parse<Header>(std::span<const std::byte> content);
+template <>
+std::optional<Footer> parse<Footer>(std::span<const std::byte> content);
+template <>
+std::optional<Schema> parse<Schema>(std::span<const std::byte> content);
+template <>
+std::optional<Channel> parse<Channel>(std::span<const std::byte> content);
+template <>
+std::optional<MessageView> parse<MessageView>(std::span<const std::byte> content);
+template <>
+std::optional<ChunkView> parse<ChunkView>(std::span<const std::byte> content);
+template <>
+std::optional<MessageIndex> parse<MessageIndex>(std::span<const std::byte> content);
+template <>
+std::optional<ChunkIndex> parse<ChunkIndex>(std::span<const std::byte> content);
+template <>
+std::optional<CheckedAttachment> parse<CheckedAttachment>(std::span<const std::byte> content);
+template <>
+std::optional<AttachmentIndex> parse<AttachmentIndex>(std::span<const std::byte> content);
+template <>
+std::optional<Statistics> parse<Statistics>(std::span<const std::byte> content);
+template <>
+std::optional<Metadata> parse<Metadata>(std::span<const std::byte> content);
+template <>
+std::optional<MetadataIndex> parse<MetadataIndex>(std::span<const std::byte> content);
+template <>
+std::optional<SummaryOffset> parse<SummaryOffset>(std::span<const std::byte> content);
+template <>
+std::optional<DataEnd> parse<DataEnd>(std::span<const std::byte> content);
+
 /// Appends a whole record, head and content.
 void append(std::vector<std::byte>& out, const Header& record);
 void append(std::vector<std::byte>& out, const Footer& record);

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "scanfuse/evaluate/options.hpp"
+#include "scanfuse/types/track.hpp"
+#include "scanfuse/types/truth.hpp"
+
+namespace scanfuse::evaluate {
+
+/// One scan as the metrics see it: truth and confirmed tracks, both in the truth's frame.
+struct ScoredFrame {
+  Time stamp;
+  std::int64_t frame = 0;
+  std::vector<TruthObject> truth;
+  std::vector<Track> tracks;
+  std::vector<int> truth_index;  ///< into Sequence::truth_ids, one each
+  std::vector<int> track_index;  ///< into Sequence::track_ids, one each
+  Eigen::MatrixXd distance_m;    ///< truth x tracks; infinity where a position is not finite
+};
+
+/// All scans in order of time, with ids numbered densely (ascending).
+struct Sequence {
+  std::vector<ScoredFrame> frames;
+  std::vector<std::int64_t> truth_ids;
+  std::vector<std::int64_t> track_ids;
+};
+
+/// Brings tracks and truth together.
+///
+/// A truth frame belongs to the step with its frame number; where the stamps of such pairs mostly
+/// disagree (files that count differently), and else for a number no step has, to the step nearest
+/// in time within half a scan period. Truth frames without a step count as scans without tracks.
+/// Tracks are moved into the frame of the truth by StepResult::world_from_ego. Left out: tentative
+/// tracks; truth objects with too few visible points or outside the region, together with the track
+/// nearest to each (within match_m, by optimal assignment); other tracks outside the region.
+[[nodiscard]] Sequence make_sequence(std::span<const StepResult> steps,
+                                     std::span<const TruthFrame> truth,
+                                     const EvaluateOptions& options);
+
+/// The track as seen in another frame: `to_from` is target_from_source. Position, heading, velocity
+/// and covariances turn; velocity stays over ground.
+[[nodiscard]] Track moved(const Track& track, const Pose2& to_from);
+
+}  // namespace scanfuse::evaluate
