@@ -101,13 +101,15 @@ Scan begin_scan(WireReader& reader) {
 struct Echo {
   float range;
   float intensity;
+  std::size_t place;  ///< in the message
 };
 
 void append_echoes(const Sweep& sweep, std::size_t index, std::size_t beams,
                    std::vector<Echo>& echoes, Scan& scan) {
   std::erase_if(echoes, [&](const Echo& echo) { return !is_return(sweep, echo.range); });
-  std::stable_sort(echoes.begin(), echoes.end(),
-                   [](const Echo& a, const Echo& b) { return a.range < b.range; });
+  std::sort(echoes.begin(), echoes.end(), [](const Echo& a, const Echo& b) {
+    return a.range != b.range ? a.range < b.range : a.place < b.place;
+  });
   for (std::size_t k = 0; k < std::min<std::size_t>(echoes.size(), 256); ++k) {
     auto point = aimed(sweep, index, beams, echoes[k].range);
     point.intensity = std::isfinite(echoes[k].intensity) ? echoes[k].intensity : 0.0F;
@@ -160,7 +162,7 @@ DecodedMessage decode_multi_echo_laser_scan(WireReader& reader) {
     echoes.clear();
     for (std::size_t k = 0; k < ranges[i].size(); ++k) {
       const bool known = i < intensities.size() && k < intensities[i].size();
-      echoes.push_back({ranges[i][k], known ? intensities[i][k] : 0.0F});
+      echoes.push_back({ranges[i][k], known ? intensities[i][k] : 0.0F, k});
     }
     append_echoes(sweep, i, ranges.size(), echoes, scan);
   }

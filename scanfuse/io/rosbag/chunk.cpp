@@ -37,8 +37,9 @@ void take_records(Chunk& chunk) {
     }
     offset += record->bytes;
   }
-  std::stable_sort(chunk.messages.begin(), chunk.messages.end(),
-                   [](const auto& a, const auto& b) { return a.time < b.time; });
+  std::sort(chunk.messages.begin(), chunk.messages.end(), [](const auto& a, const auto& b) {
+    return std::pair(a.time, a.begin) < std::pair(b.time, b.begin);
+  });
 }
 
 }  // namespace

@@ -136,8 +136,9 @@ Result<ChunkDirectory> read_directory(BagFile& file) {
     directory.diagnostics.damage("bag without a usable index: chunks were searched for",
                                  file.name().string() + ": " + index.error().message);
   }
-  std::stable_sort(directory.chunks.begin(), directory.chunks.end(),
-                   [](const auto& a, const auto& b) { return a.start < b.start; });
+  std::sort(directory.chunks.begin(), directory.chunks.end(), [](const auto& a, const auto& b) {
+    return std::pair(a.start, a.offset) < std::pair(b.start, b.offset);
+  });
   return directory;
 }
 
