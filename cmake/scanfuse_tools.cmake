@@ -9,6 +9,9 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # GCC 12 reports these inside Eigen's and the standard library's inlined code at -O2.
   target_compile_options(scanfuse_options INTERFACE -Wno-array-bounds -Wno-stringop-overflow
                          -Wno-maybe-uninitialized -Wno-restrict -Wno-stringop-overread)
+else()
+  # std::stable_sort of libstdc++ 12 uses what C++17 deprecated.
+  target_compile_options(scanfuse_options INTERFACE -Wno-deprecated-declarations)
 endif()
 
 set(SCANFUSE_SANITIZE "" CACHE STRING "Sanitizers for everything, for example address,undefined")
@@ -16,6 +19,10 @@ if(SCANFUSE_SANITIZE)
   add_compile_options(-fsanitize=${SCANFUSE_SANITIZE} -fno-omit-frame-pointer
                       -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${SCANFUSE_SANITIZE})
+endif()
+
+if(SCANFUSE_BUILD_FUZZ)
+  add_compile_options(-fsanitize=fuzzer-no-link)  # the fuzzer steers by the rooms' branches
 endif()
 
 if(SCANFUSE_FAST_TOOLS)
