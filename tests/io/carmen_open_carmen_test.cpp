@@ -1,10 +1,9 @@
-#include "scanfuse/io/carmen/open_carmen.hpp"
-
 #include <gmock/gmock.h>
 
 #include "io/reading.hpp"
 #include "scanfuse/core/random.hpp"
 #include "scanfuse/geometry/angles.hpp"
+#include "scanfuse/io/carmen/open_carmen.hpp"
 
 namespace scanfuse::io {
 namespace {
@@ -14,7 +13,9 @@ using scanfuse::testing::lines_of;
 using scanfuse::testing::read_out;
 using ::testing::HasSubstr;
 
-auto read_log(std::string text) { return read_out(open_carmen(lines_of(std::move(text), "a.log"), {})); }
+auto read_log(std::string text) {
+  return read_out(open_carmen(lines_of(std::move(text), "a.log"), {}));
+}
 
 std::string flaser(int n, const std::string& range, const std::string& poses,
                    const std::string& stamp) {
@@ -83,16 +84,17 @@ TEST(Carmen, DescribedLasersBringTheirAnglesAndRemissions) {
 }
 
 TEST(Carmen, ACorrectedLaserPoseWinsOverAnUncorrectedRobotPose) {
-  const auto out = read_log(flaser(1, "1", "1 0 0 0.9 0 0", "1") +
-                            flaser(1, "1", "2 0 0 5 3 1", "2"));
+  const auto out =
+      read_log(flaser(1, "1", "1 0 0 0.9 0 0", "1") + flaser(1, "1", "2 0 0 5 3 1", "2"));
   ASSERT_EQ(out.poses.size(), 2u);
   EXPECT_NEAR(out.poses[1].pose.planar().x_m, 1.9, 1e-12);
   EXPECT_EQ(out.diagnostics.count("laser and robot pose disagree: the laser's counts"), 1);
 }
 
 TEST(Carmen, BadLinesAreCountedAndALogWithoutGoodOnesIsAnError) {
-  const auto out = read_log(kLog + "FLASER 3 1 2\nFLASER -1\nFLASER 99999999999 1\nODOM 1 nan 2\n"
-                                   "GARBAGE 1 2 3\nFLASER 1 inf 0 0 0 0 0 0 1 h 1\n");
+  const auto out = read_log(kLog +
+                            "FLASER 3 1 2\nFLASER -1\nFLASER 99999999999 1\nODOM 1 nan 2\n"
+                            "GARBAGE 1 2 3\nFLASER 1 inf 0 0 0 0 0 0 1 h 1\n");
   EXPECT_EQ(out.scans.size(), 2u);
   EXPECT_EQ(out.diagnostics.count("bad line skipped"), 6);
   const auto none = read_log("PARAM a b\nFLASER 3 1 2\n");

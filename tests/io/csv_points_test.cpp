@@ -133,8 +133,7 @@ TEST(CsvPoints, OnlyTheTopicsAskedForAreGiven) {
 }
 
 TEST(CsvPoints, TheScansStampIsTheEarliestOfItsBeams) {
-  const auto out =
-      read_points("frame,time_s,x_m,y_m\n0,10.020,1,1\n0,10.010,2,2\n0,10.030,3,3\n");
+  const auto out = read_points("frame,time_s,x_m,y_m\n0,10.020,1,1\n0,10.010,2,2\n0,10.030,3,3\n");
   ASSERT_EQ(out.scans.size(), 1u);
   EXPECT_EQ(to_nanos(out.scans[0].stamp), 10'010'000'000);
   EXPECT_NEAR(out.scans[0].returns[0].time_offset_s, 0.010, 1e-7);
@@ -152,8 +151,8 @@ TEST(CsvPoints, ThePapersAxesAreTurnedToForwardAndLeft) {
 }
 
 TEST(CsvPoints, FramesOutOfOrderAndTimeJumpsAreNoted) {
-  const auto out = read_points(
-      "frame,time_s,x_m,y_m\n0,0,1,1\n2,0.2,1,1\n1,0.1,1,1\n3,0.1,1,1\n4,100,1,1\n");
+  const auto out =
+      read_points("frame,time_s,x_m,y_m\n0,0,1,1\n2,0.2,1,1\n1,0.1,1,1\n3,0.1,1,1\n4,100,1,1\n");
   EXPECT_EQ(out.scans.size(), 5u);
   EXPECT_EQ(out.diagnostics.count("frame out of order"), 1);
   EXPECT_EQ(out.diagnostics.count("time runs backwards"), 1);
@@ -162,8 +161,9 @@ TEST(CsvPoints, FramesOutOfOrderAndTimeJumpsAreNoted) {
 }
 
 TEST(CsvPoints, GzipAndXzAreUnpackedWhileReading) {
-  for (const std::string& packed : {gzipped(kTwoFrames), xz_packed(kTwoFrames),
-                                    gzipped(kTwoFrames.substr(0, 60)) + gzipped(kTwoFrames.substr(60))}) {
+  for (const std::string& packed :
+       {gzipped(kTwoFrames), xz_packed(kTwoFrames),
+        gzipped(kTwoFrames.substr(0, 60)) + gzipped(kTwoFrames.substr(60))}) {
     const auto out = read_points(packed);
     ASSERT_EQ(out.scans.size(), 2u) << (out.error ? out.error->message : "");
     EXPECT_TRUE(out.diagnostics.empty());
@@ -252,7 +252,8 @@ TEST(Numbers, SecondsAreExactToTheNanosecond) {
   EXPECT_EQ(nanos(".5"), 500'000'000);
   EXPECT_EQ(nanos("5."), 5'000'000'000);
   EXPECT_EQ(nanos("+7"), 7'000'000'000);
-  for (const char* text : {"", ".", "-", "1.2.3", "1e", "1e999", "nan", "inf", "5 s", "9e9", "0x1"}) {
+  for (const char* text :
+       {"", ".", "-", "1.2.3", "1e", "1e999", "nan", "inf", "5 s", "9e9", "0x1"}) {
     EXPECT_EQ(nanos(text), INT64_MIN) << text;
   }
   EXPECT_EQ(print_seconds(time_from_nanos(1575811624359102488)), "1575811624.359102488");

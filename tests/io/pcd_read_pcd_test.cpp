@@ -1,5 +1,3 @@
-#include "scanfuse/io/pcd/read_pcd.hpp"
-
 #include <gmock/gmock.h>
 
 #include <cstring>
@@ -8,6 +6,7 @@
 #include "io/temporary_folder.hpp"
 #include "scanfuse/core/random.hpp"
 #include "scanfuse/io/pcd/lzf.hpp"
+#include "scanfuse/io/pcd/read_pcd.hpp"
 
 namespace scanfuse::io {
 namespace {
@@ -148,15 +147,14 @@ TEST(Pcd, PointsThatAreNotFiniteAreNotedAndBadLinesAreDamage) {
 
 TEST(Pcd, AHugeAnnouncedSizeIsNotBelieved) {
   Diagnostics diagnostics;
-  std::string file =
-      "FIELDS x y\nSIZE 8 8\nTYPE F F\nPOINTS 199999999\nDATA binary_compressed\n";
+  std::string file = "FIELDS x y\nSIZE 8 8\nTYPE F F\nPOINTS 199999999\nDATA binary_compressed\n";
   append_raw(file, std::uint32_t{4});
   append_raw(file, std::uint32_t{3199999984u});
   file += "abcd";
   EXPECT_FALSE(read_pcd(file, "c.pcd", diagnostics));
-  const auto cut = read_pcd(
-      "FIELDS x y\nSIZE 8 8\nTYPE F F\nPOINTS 199999999\nDATA binary\n0123456789abcdef", "c.pcd",
-      diagnostics);
+  const auto cut =
+      read_pcd("FIELDS x y\nSIZE 8 8\nTYPE F F\nPOINTS 199999999\nDATA binary\n0123456789abcdef",
+               "c.pcd", diagnostics);
   EXPECT_EQ(diagnostics.count("cut off points"), 199999998);
 }
 
@@ -214,12 +212,27 @@ TEST(Pcd, TimestampsTxtCountsAndABadFileIsPassedOver) {
 }
 
 TEST(Lzf, RunsAndBackReferencesAreUnpacked) {
-  const auto unpacked = unpack_lzf(std::string("\x02" "abc\x80\x02", 6), 9);
+  const auto unpacked = unpack_lzf(std::string("\x02"
+                                               "abc\x80\x02",
+                                               6),
+                                   9);
   ASSERT_TRUE(unpacked);
   EXPECT_EQ(std::string(unpacked->begin(), unpacked->end()), "abcabcabc");
-  EXPECT_FALSE(unpack_lzf(std::string("\x02" "abc\x80\x09", 6), 9)) << "before the start";
-  EXPECT_FALSE(unpack_lzf(std::string("\x02" "abc", 4), 9)) << "too short";
-  EXPECT_FALSE(unpack_lzf(std::string("\x05" "abc", 4), 6)) << "cut off";
+  EXPECT_FALSE(unpack_lzf(std::string("\x02"
+                                      "abc\x80\x09",
+                                      6),
+                          9))
+      << "before the start";
+  EXPECT_FALSE(unpack_lzf(std::string("\x02"
+                                      "abc",
+                                      4),
+                          9))
+      << "too short";
+  EXPECT_FALSE(unpack_lzf(std::string("\x05"
+                                      "abc",
+                                      4),
+                          6))
+      << "cut off";
 }
 
 }  // namespace

@@ -108,7 +108,9 @@ TEST(ResultWriter, NumbersThatAreNotFiniteNeverReachTheFile) {
 
 TEST(ResultWriter, DestroyedUnfinishedLeavesNothingAndUnknownNamesAreRefused) {
   const TemporaryFolder folder;
-  { auto writer = open_result_writer(folder.path() / "t.csv"); }
+  {
+    auto writer = open_result_writer(folder.path() / "t.csv");
+  }
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
   const auto refused = open_result_writer(folder.path() / "t.xlsx");
   ASSERT_FALSE(refused);
@@ -146,7 +148,8 @@ TEST(TrackTable, BrokenJsonLinesAreDamageAndNestingIsNoTrap) {
   const auto read = read_track_table(
       lines_of("{\"frame\":0,\"time_s\":1.000000001,\"track_id\":1,\"x_m\":1,\"y_m\":2,\"extra\":"
                "{\"x_m\":[9]}}\n{\"frame\":0,\n[1,2]\n" +
-               std::string(100000, '[') + "\n{\"frame\":1,\"time_s\":2,\"track_id\":1,\"x_m\":null,"
+               std::string(100000, '[') +
+               "\n{\"frame\":1,\"time_s\":2,\"track_id\":1,\"x_m\":null,"
                "\"y_m\":2}\n"),
       diagnostics);
   ASSERT_TRUE(read) << read.error().message;
