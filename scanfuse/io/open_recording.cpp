@@ -51,7 +51,7 @@ Opened open_lines(const path& file, const OpenOptions& options,
 
 Opened open_messages(Result<std::unique_ptr<RawMessageSource>> source, const OpenOptions& options) {
   if (!source) return tl::unexpected(source.error());
-  return decode_messages(std::move(*source), options, &truth_from_json);
+  return decode_messages(std::move(*source), options, &mcap::truth_from_json);
 }
 
 const auto kFormats = std::to_array<Format>({
