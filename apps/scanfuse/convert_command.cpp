@@ -4,6 +4,7 @@
 
 #include "command.hpp"
 #include "scanfuse/io/csv/points_writer.hpp"
+#include "scanfuse/io/mcap/recording_writer.hpp"
 #include "scanfuse/io/recording.hpp"
 #include "scanfuse/io/tables.hpp"
 
@@ -31,12 +32,23 @@ EventSink csv_sink(io::CsvPointsWriter made) {
           [writer] { return writer->finish(); }};
 }
 
+EventSink mcap_sink(io::McapRecordingWriter made) {
+  auto writer = std::make_shared<io::McapRecordingWriter>(std::move(made));
+  return {[writer](const io::Event& event) { return writer->write(event); },
+          [writer] { return writer->finish(); }};
+}
+
 Result<EventSink> open_sink(const std::filesystem::path& path) {
   const std::string extension = path.extension().string();
   if (extension == ".csv") {
     auto writer = io::CsvPointsWriter::create(path);
     if (!writer) return tl::unexpected(writer.error());
     return csv_sink(std::move(*writer));
+  }
+  if (extension == ".mcap") {
+    auto writer = io::McapRecordingWriter::create(path);
+    if (!writer) return tl::unexpected(writer.error());
+    return mcap_sink(std::move(*writer));
   }
   return fail(Error::Code::kUnsupported,
               "{}: recordings are written as .mcap or .csv (points), not as '{}'", path.string(),

@@ -7,9 +7,14 @@
 #include "scanfuse/io/csv/tables_of_lines.hpp"
 #include "scanfuse/io/folder/stamps.hpp"
 #include "scanfuse/io/kitti/open_kitti.hpp"
+#include "scanfuse/io/mcap/message_source.hpp"
+#include "scanfuse/io/mcap/result_messages.hpp"
 #include "scanfuse/io/pcd/pcd_header.hpp"
 #include "scanfuse/io/pcd/read_pcd.hpp"
 #include "scanfuse/io/recording.hpp"
+#include "scanfuse/io/ros/decoding_reader.hpp"
+#include "scanfuse/io/rosbag/open_rosbag.hpp"
+#include "scanfuse/io/rosbag2/open_rosbag2.hpp"
 #include "scanfuse/io/text/numbers.hpp"
 
 namespace scanfuse::io {
@@ -44,7 +49,24 @@ Opened open_lines(const path& file, const OpenOptions& options,
   return open(std::move(*lines), options);
 }
 
+Opened open_messages(Result<std::unique_ptr<RawMessageSource>> source, const OpenOptions& options) {
+  if (!source) return tl::unexpected(source.error());
+  return decode_messages(std::move(*source), options, &mcap::truth_from_json);
+}
+
 const auto kFormats = std::to_array<Format>({
+    {[](const Probe& probe) { return probe.first_bytes.starts_with("\x89MCAP"); },
+     [](const path& file, const OpenOptions& options) {
+       return open_messages(open_mcap(file, options.topics), options);
+     }},
+    {[](const Probe& probe) { return probe.first_bytes.starts_with("#ROSBAG V"); },
+     [](const path& file, const OpenOptions& options) {
+       return open_messages(open_rosbag(file, options.topics), options);
+     }},
+    {[](const Probe& probe) { return probe.first_bytes.starts_with("SQLite format 3"); },
+     [](const path& file, const OpenOptions& options) {
+       return open_messages(open_rosbag2(file, options.topics), options);
+     }},
     {[](const Probe& probe) { return is_pcd(probe.first_unpacked); }, &open_pcd},
     {[](const Probe& probe) { return is_carmen_line(probe.first_line); },
      [](const path& file, const OpenOptions& options) {
@@ -71,11 +93,9 @@ Result<Probe> probe_file(const path& file) {
   auto source = open_bytes(file);
   if (!source) return tl::unexpected(source.error());
   auto unpacked = read_start(**source, kProbed);
-  // A packed file that is cut off early may still begin with something to recognise.
-  if (!unpacked && (*source)->packing() == "none") return tl::unexpected(unpacked.error());
   if (!unpacked) return tl::unexpected(unpacked.error());
   probe.first_unpacked = std::move(*unpacked);
-  probe.first_bytes = probe.first_unpacked;
+  if ((*source)->packing() == "none") probe.first_bytes = probe.first_unpacked;
   probe.first_line = first_content_line(probe);
   return probe;
 }
@@ -114,7 +134,24 @@ Opened open_file(const path& file, const OpenOptions& options) {
   return fail(Error::Code::kUnsupported, "{}: unknown format; {}", file.string(), kKnownFormats);
 }
 
+/// A folder with metadata.yaml, .db3 or .mcap files, also packed as whole files.
+bool is_rosbag2_folder(const path& folder) {
+  std::error_code error;
+  if (std::filesystem::exists(folder / "metadata.yaml", error)) return true;
+  for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end;
+       it.increment(error)) {
+    const std::string name = it->path().filename().string();
+    for (const std::string_view ending : {".db3", ".mcap", ".db3.zstd", ".mcap.zstd"}) {
+      if (name.ends_with(ending)) return true;
+    }
+  }
+  return false;
+}
+
 Opened open_folder(const path& folder, const OpenOptions& options) {
+  if (is_rosbag2_folder(folder)) {
+    return open_messages(open_rosbag2(folder, options.topics), options);
+  }
   if (!files_of(folder, ".pcd").empty()) return open_pcd(folder, options);
   if (!kitti_scan_folder(folder).empty()) return open_kitti(folder, options);
   return fail(Error::Code::kNotFound, "{}: a folder without a recording; {}", folder.string(),

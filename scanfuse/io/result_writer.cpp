@@ -2,6 +2,7 @@
 
 #include "scanfuse/io/atomic_file.hpp"
 #include "scanfuse/io/csv/track_rows.hpp"
+#include "scanfuse/io/mcap/result_writer.hpp"
 
 namespace scanfuse::io {
 namespace {
@@ -26,6 +27,7 @@ class TrackTextWriter final : public ResultWriter {
 
 Result<std::unique_ptr<ResultWriter>> open_result_writer(const std::filesystem::path& path) {
   const std::string extension = path.extension().string();
+  if (extension == ".mcap") return open_mcap_result_writer(path);
   if (extension != ".csv" && extension != ".jsonl") {
     return fail(Error::Code::kUnsupported,
                 "{}: results are written as .mcap, .csv or .jsonl, not as '{}'", path.string(),

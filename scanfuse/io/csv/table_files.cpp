@@ -1,6 +1,7 @@
 #include "scanfuse/io/atomic_file.hpp"
 #include "scanfuse/io/csv/csv_table.hpp"
 #include "scanfuse/io/csv/tables_of_lines.hpp"
+#include "scanfuse/io/mcap/result_writer.hpp"
 
 namespace scanfuse::io {
 namespace {
@@ -64,18 +65,28 @@ TableKind table_kind(const std::filesystem::path& path) {
 
 std::string_view to_string(TableKind kind) {
   switch (kind) {
-    case TableKind::kPoints: return "points";
-    case TableKind::kDetections: return "detections";
-    case TableKind::kTracks: return "tracks";
-    case TableKind::kTruth: return "truth";
-    case TableKind::kEgo: return "ego motion";
-    case TableKind::kNone: break;
+    case TableKind::kPoints:
+      return "points";
+    case TableKind::kDetections:
+      return "detections";
+    case TableKind::kTracks:
+      return "tracks";
+    case TableKind::kTruth:
+      return "truth";
+    case TableKind::kEgo:
+      return "ego motion";
+    case TableKind::kNone:
+      break;
   }
   return "no table";
 }
 
 Result<std::vector<StepResult>> read_tracks(const std::filesystem::path& path,
                                             Diagnostics* diagnostics) {
+  auto source = open_bytes(path);
+  if (!source) return tl::unexpected(source.error());
+  const auto start = read_start(**source, 8);
+  if (start && start->starts_with("\x89MCAP")) return read_tracks_mcap(path, diagnostics);
   return read_table_file(path, diagnostics, &read_track_table);
 }
 
