@@ -13,6 +13,7 @@ namespace {
 struct EvaluateArguments {
   std::string tracks;
   std::string truth;
+  std::string truth_frame;
   std::vector<double> region;
   bool skip_unlisted = false;
   bool json = false;
@@ -81,8 +82,11 @@ int run_evaluate(EvaluateArguments arguments, const CommonOptions& common) {
   auto steps = io::read_tracks(arguments.tracks, &diagnostics);
   if (!steps) return report_error(steps.error());
   if (io::table_kind(arguments.tracks) != io::TableKind::kNone) forget_velocity_covariance(*steps);
-  const auto truth = truth_from(arguments.truth, diagnostics);
+  auto truth = truth_from(arguments.truth, diagnostics);
   if (!truth) return report_error(truth.error());
+  for (auto& frame : *truth) {
+    if (!arguments.truth_frame.empty()) frame.coordinate_frame = arguments.truth_frame;
+  }
   const auto result = evaluate::evaluate(*steps, *truth, arguments.options);
   fmt::print("{}\n", arguments.json ? to_json(result) : to_text(result));
   return report_diagnostics(diagnostics, common.quiet);
@@ -93,6 +97,10 @@ void add_evaluate_options(CLI::App& command, EvaluateArguments& a) {
       ->required();
   command.add_option("--truth", a.truth, "Truth table (CSV), or a recording that carries truth")
       ->required();
+  command
+      .add_option("--truth-frame", a.truth_frame,
+                  "Frame of the truth's coordinates: world (default for tables) or ego")
+      ->check(CLI::IsMember({"world", "ego"}));
   command
       .add_option("--match-m", a.options.match_m,
                   "A track farther than this from an object is never its match")
