@@ -13,7 +13,7 @@
 namespace scanfuse::segment {
 
 struct BreakpointOptions {
-  double lambda_rad = 0.17453292519943295;
+  double lambda_rad = 0.13962634015954636;  // 8 deg
   double gap_steps = 5;
   double sigma_factor = 3;
   int min_points = 3;

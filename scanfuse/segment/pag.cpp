@@ -101,46 +101,50 @@ void Pag::mark_dense() {
 }
 
 template <class Visit>
-void Pag::for_neighbours(std::uint32_t cell, Visit visit) const {
+void Pag::for_later_neighbours(std::uint32_t cell, Visit visit) const {
   const CellTable::Cell here = table_[cell];
   const auto look = [&](CellTable::Cell other) {
     const std::uint32_t number = table_.find(other);
-    if (number != CellTable::kNone) visit(number);
+    if (number != CellTable::kNone && number != cell) visit(number);
   };
   if (options_.cells == PagCells::kGrowing) {
-    rings_.for_neighbours(here, look);
+    rings_.for_later_neighbours(here, look);
     return;
   }
-  for (std::int32_t row = here.row - 1; row <= here.row + 1; ++row) {
-    for (std::int32_t column = here.column - 1; column <= here.column + 1; ++column) {
-      if (row != here.row || column != here.column) look({row, column});
-    }
+  look({here.row, here.column + 1});
+  for (std::int32_t column = here.column - 1; column <= here.column + 1; ++column) {
+    look({here.row + 1, column});
   }
 }
 
+/// Dense neighbours join; a low cell is offered each of its dense neighbours.
 void Pag::join_dense() {
   sets_.reset(table_.size());
+  owners_.assign(table_.size(), CellTable::kNone);
   for (std::uint32_t i = 0; i < table_.size(); ++i) {
-    if (!dense_[i]) continue;
-    for_neighbours(i, [&](std::uint32_t other) {
-      if (dense_[other]) sets_.join(i, other);
+    for_later_neighbours(i, [&](std::uint32_t other) {
+      if (dense_[i] && dense_[other]) {
+        sets_.join(i, other);
+      } else if (dense_[i]) {
+        offer(other, i);
+      } else if (dense_[other]) {
+        offer(i, other);
+      }
     });
   }
 }
 
+void Pag::offer(std::uint32_t low, std::uint32_t dense) {
+  std::uint32_t& owner = owners_[low];
+  const bool better = owner == CellTable::kNone || weights_[dense] > weights_[owner] ||
+                      (weights_[dense] == weights_[owner] && dense < owner);
+  if (better) owner = dense;
+}
+
 void Pag::absorb_low() {
-  owners_.resize(table_.size());
   for (std::uint32_t i = 0; i < table_.size(); ++i) {
-    std::uint32_t best = dense_[i] ? i : CellTable::kNone;
-    if (!dense_[i]) {
-      for_neighbours(i, [&](std::uint32_t other) {
-        if (!dense_[other]) return;
-        const bool denser = best == CellTable::kNone || weights_[other] > weights_[best] ||
-                            (weights_[other] == weights_[best] && other < best);
-        if (denser) best = other;
-      });
-    }
-    owners_[i] = best == CellTable::kNone ? Gatherer::kNoise : sets_.find(best);
+    const std::uint32_t owner = dense_[i] ? i : owners_[i];
+    owners_[i] = owner == CellTable::kNone ? Gatherer::kNoise : sets_.find(owner);
   }
 }
 

@@ -31,9 +31,9 @@ constexpr auto choices(PagCells) {
 struct PagOptions {
   PagCells cells = PagCells::kGrowing;
   double range_max_m = 120;
-  double cell_m = 0.1;
-  double growth = 0.01;
-  double depth = 4;
+  double cell_m = 0.12;
+  double growth = 0.009;
+  double depth = 5;
   double square_cap_m = 0.5;
   double density = 0.35;
   int min_points = 3;
@@ -82,8 +82,9 @@ class Pag {
   void mark_dense();
   void join_dense();
   void absorb_low();
+  void offer(std::uint32_t low, std::uint32_t dense);
   template <class Visit>
-  void for_neighbours(std::uint32_t cell, Visit visit) const;
+  void for_later_neighbours(std::uint32_t cell, Visit visit) const;
 
   PagOptions options_;
   RingGrid rings_;
@@ -91,7 +92,7 @@ class Pag {
   std::vector<std::uint32_t> cell_of_;  ///< of each point
   std::vector<float> weights_;          ///< of each cell
   std::vector<std::uint8_t> dense_;
-  std::vector<std::uint32_t> owners_;  ///< the label of each cell
+  std::vector<std::uint32_t> owners_;  ///< the dense cell each cell belongs to, then its label
   std::vector<float> sorted_;
   std::vector<std::uint32_t> labels_;
   DisjointSets sets_;

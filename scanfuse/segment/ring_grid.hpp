@@ -25,23 +25,25 @@ class RingGrid {
   /// The cell at a range in [0, range_max_m) and a bearing in [-pi, pi].
   [[nodiscard]] CellTable::Cell cell(float range_m, float bearing_rad) const;
 
-  /// Calls visit(cell) for the cells that touch `cell`, on its own ring and on the two beside it.
+  /// Calls visit(cell) for the cells that touch `cell` and come after it: the next one on its ring
+  /// and those on the ring outside. Over all cells, every touching pair is visited once.
   template <class Visit>
-  void for_neighbours(CellTable::Cell cell, Visit visit) const {
+  void for_later_neighbours(CellTable::Cell cell, Visit visit) const {
     const std::int32_t around = counts_[static_cast<std::size_t>(cell.row)];
-    if (around > 1) visit(CellTable::Cell{cell.row, (cell.column + 1) % around});
-    if (around > 2) visit(CellTable::Cell{cell.row, (cell.column + around - 1) % around});
-    for (const std::int32_t row : {cell.row - 1, cell.row + 1}) {
-      if (row < 0 || row >= static_cast<std::int32_t>(counts_.size())) continue;
-      const std::int32_t other = counts_[static_cast<std::size_t>(row)];
-      const double scale = static_cast<double>(other) / around;
-      // Half a cell more at each end stands for the corners that touch on a square grid.
-      auto first = static_cast<std::int32_t>(std::floor(cell.column * scale - 0.5));
-      auto last = static_cast<std::int32_t>(std::floor((cell.column + 1) * scale + 0.5));
-      if (last - first >= other) last = first + other - 1;
-      for (std::int32_t column = first; column <= last; ++column) {
-        visit(CellTable::Cell{row, (column + 2 * other) % other});
-      }
+    if (around > 1)
+      visit(CellTable::Cell{cell.row, cell.column + 1 < around ? cell.column + 1 : 0});
+    const std::int32_t row = cell.row + 1;
+    if (row >= static_cast<std::int32_t>(counts_.size())) return;
+    const std::int32_t other = counts_[static_cast<std::size_t>(row)];
+    const double scale = static_cast<double>(other) / around;
+    // Half a cell more at each end stands for the corners that touch on a square grid. One is added
+    // and taken away again, so that the conversion rounds down.
+    auto first = static_cast<std::int32_t>(cell.column * scale + 0.5) - 1;
+    auto last = static_cast<std::int32_t>((cell.column + 1) * scale + 0.5);
+    if (last - first >= other) first = 0, last = other - 1;
+    for (std::int32_t column = first; column <= last; ++column) {
+      visit(CellTable::Cell{
+          row, column < 0 ? column + other : (column < other ? column : column - other)});
     }
   }
 
