@@ -12,6 +12,8 @@ namespace {
 
 /// Step that eq. 14 uses for a filter born in the very first scan: 12.5 Hz, as the paper's lidar.
 constexpr double kNominalStep_s = 0.08;
+/// Stamps are rounded: a limit of a whole number of scans must not lose the last one.
+constexpr double kStampRounding_s = 1e-3;
 /// A few missed scans in a row are chance, however young the track.
 constexpr double kLeastCoast_s = 0.3;
 constexpr double kMergeRadius_m = 3;
@@ -147,7 +149,7 @@ bool is_over(const Target& target, Time stamp, const TrackerOptions& options) {
   const double seen_s = to_seconds(target.seen - target.born);
   const double worst = std::max(target.state.covariance(kX, kX), target.state.covariance(kY, kY));
   const double earned_s = std::max(kLeastCoast_s, options.coast_share * seen_s);
-  return unseen_s > std::min(options.coast_s, earned_s) ||
+  return unseen_s > std::min(options.coast_s, earned_s) + kStampRounding_s ||
          worst > options.coast_sigma_m * options.coast_sigma_m;
 }
 

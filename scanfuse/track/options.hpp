@@ -52,7 +52,7 @@ struct TrackerOptions {
   int confirm_window = 5;
   double coast_s = 1.6;
   double coast_share = 0.35;
-  double coast_sigma_m = 2;
+  double coast_sigma_m = 2.5;
   int coast_frames = 0;
   double max_gap_s = 2;
   bool births_inside_tracks = false;
