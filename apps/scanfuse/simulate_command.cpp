@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "command.hpp"
+#include "scanfuse/io/mcap/recording_writer.hpp"
 #include "scanfuse/simulate/simulate.hpp"
 
 namespace scanfuse::app {
@@ -105,14 +106,46 @@ class SimulatedCsv : public SimulatedOutput {
   SimulatedTable points_, truth_, ego_;
 };
 
-Result<std::unique_ptr<SimulatedOutput>> open_simulated_output(const fs::path& path) {
+/// One recording: scans, odometry, the sensor's mounting as a static transform, truth.
+class SimulatedMcap : public SimulatedOutput {
+ public:
+  SimulatedMcap(io::McapRecordingWriter writer, const Pose3& ego_from_sensor)
+      : writer_(std::move(writer)), ego_from_sensor_(ego_from_sensor) {}
+
+  Result<void> write(const SimulatedFrame& frame) override {
+    const Time stamp = frame.scan.stamp;
+    if (!std::exchange(mounted_, true)) {
+      const TransformSample mount{stamp, frame.ego.child_frame_id, frame.scan.frame_id,
+                                  ego_from_sensor_, true};
+      if (auto done = writer_.write({stamp, "", std::vector{mount}}); !done) return done;
+    }
+    if (auto done = writer_.write({stamp, "/odom", frame.ego}); !done) return done;
+    if (auto done = writer_.write({stamp, frame.scan.sensor, frame.scan}); !done) return done;
+    return writer_.write({stamp, "", frame.truth});
+  }
+  Result<void> finish() override { return writer_.finish(); }
+
+ private:
+  io::McapRecordingWriter writer_;
+  Pose3 ego_from_sensor_;
+  bool mounted_ = false;
+};
+
+Result<std::unique_ptr<SimulatedOutput>> open_simulated_output(const fs::path& path,
+                                                               const Pose3& ego_from_sensor) {
+  if (path.extension() == ".mcap") {
+    auto writer = io::McapRecordingWriter::create(path);
+    if (!writer) return tl::unexpected(writer.error());
+    return std::make_unique<SimulatedMcap>(std::move(*writer), ego_from_sensor);
+  }
   if (path.extension() == ".csv") {
     auto csv = std::make_unique<SimulatedCsv>(path);
     if (csv->open()) return csv;
     return fail(Error::Code::kNotFound, "{}: cannot be created; does its folder exist?",
                 path.string());
   }
-  return fail(Error::Code::kUnsupported, "{}: write to a file ending in .csv", path.string());
+  return fail(Error::Code::kUnsupported, "{}: write to a file ending in .mcap or .csv",
+              path.string());
 }
 
 struct SimulateCommand {
@@ -145,7 +178,7 @@ int run_simulate(const SimulateCommand& command, const CommonOptions& common) {
   if (!options) return report_error(options.error());
   auto simulation = Simulation::create(command.scenario, common.seed, *options);
   if (!simulation) return report_error(simulation.error());
-  auto output = open_simulated_output(command.out);
+  auto output = open_simulated_output(command.out, simulation->ego_from_sensor());
   if (!output) return report_error(output.error());
 
   Progress progress("simulating", common.quiet);
@@ -178,7 +211,7 @@ void add_simulate(Tool& tool) {
   auto* app = tool.app->add_subcommand("simulate", "Make a recording with truth from a scenario");
   app->add_option("scenario", command->scenario, "Name of the scenario")->required();
   app->add_option("-o,--output", command->out,
-                  "Recording to write: .csv, with .truth.csv and .ego.csv beside it")
+                  "Recording to write: .mcap, or .csv with .truth.csv and .ego.csv beside it")
       ->required();
   app->add_option("--sensor", command->sensor,
                   "Lidar: lux, sick-lms111, hokuyo-utm30, rplidar-a2, vlp16, hdl32, hdl64")
