@@ -48,6 +48,7 @@ const VirtualScan& VirtualScanBuilder::operator()(const Scan& scan, const Pose3&
   virtual_scan_.frame = scan.frame;
   virtual_scan_.sigma_range_m = options_.sigma_range_m;
   virtual_scan_.step_rad = choose_step(scan);
+  set_view();
   virtual_scan_.full_circle =
       !scan.beams || (scan.beams->columns + 0.5) * virtual_scan_.step_rad >= 2 * kPi;
   sort_into_columns(scan);
@@ -154,6 +155,14 @@ void VirtualScanBuilder::remove_ground(GroundMethod method, std::optional<double
     const float height = p.z_m - (grid ? ground_.height_m(p.range_m, p.bearing_rad) : flat);
     return !(height >= low && height <= high);
   });
+}
+
+void VirtualScanBuilder::set_view() {
+  constexpr double kOpen = std::numeric_limits<double>::infinity();
+  const double last = beams_first_rad_ + (static_cast<double>(beams_.size()) - 1) * beams_step_rad_;
+  const bool ends = !beams_.empty() && last < kPi;
+  virtual_scan_.view_from_rad = ends ? beams_first_rad_ : -kOpen;
+  virtual_scan_.view_to_rad = ends ? last : kOpen;
 }
 
 double VirtualScanBuilder::choose_step(const Scan& scan) {

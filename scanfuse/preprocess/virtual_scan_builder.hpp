@@ -35,6 +35,7 @@ class VirtualScanBuilder {
   [[nodiscard]] float bearing(float x, float y, std::int32_t beam) const;
   [[nodiscard]] GroundMethod ground_method(const Scan& scan) const;
   void remove_ground(GroundMethod method, std::optional<double> sensor_height_m);
+  void set_view();
   [[nodiscard]] double choose_step(const Scan& scan);
   void sort_into_columns(const Scan& scan);
   void pick_points(const Scan& scan, GroundMethod method);
