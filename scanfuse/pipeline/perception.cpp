@@ -36,6 +36,7 @@ void Perception::give_in_world(const PosedScan& posed, std::span<const Detection
   result_.frame = posed.scan.frame;
   result_.sensor = posed.scan.sensor;
   result_.world_from_ego = posed.world_from_ego;
+  result_.coordinate_frame = options_.pipeline.frame == OutputFrame::kEgo ? "ego" : "world";
   result_.ego_from_sensor = posed.ego_from_sensor;
   // Detections stand in the levelled sensor frame: the ego's axes, the sensor's place.
   const Pose2 ego = posed.world_from_ego.planar();

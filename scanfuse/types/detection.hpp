@@ -24,7 +24,8 @@ struct Detection {
   bool length_seen = false;  ///< both ends of the long side were seen; else a prior or lower bound
   bool width_seen = false;
   int faces_seen = 0;        ///< 0: not known, 1 or 2
-  bool left_end_occluded = false;   ///< cut off by something nearer at its end of larger bearing
+  bool left_end_occluded = false;   ///< its end of larger bearing is hidden: by something nearer, a
+                                    ///< neighbouring cluster, or the edge of the view
   bool right_end_occluded = false;
   int points = 0;
   double time_offset_s = 0;  ///< when its beams were fired, after the scan's stamp: mean of its points
