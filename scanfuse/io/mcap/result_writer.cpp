@@ -1,5 +1,7 @@
 #include "scanfuse/io/mcap/result_writer.hpp"
 
+#include <utility>
+
 #include "scanfuse/io/mcap/message_source.hpp"
 #include "scanfuse/io/mcap/result_messages.hpp"
 #include "scanfuse/io/mcap/scene.hpp"
@@ -64,13 +66,17 @@ class McapResultWriter final : public ResultWriter {
   mcap::SceneBuilder scene_;
 };
 
-/// The step that the detections just read belong to, or a new one for tracks to come.
-void place_step(std::vector<StepResult>& steps, StepResult step,
-                std::vector<Detection>& detections) {
-  step.detections = std::move(detections);
-  detections.clear();
-  steps.push_back(std::move(step));
-}
+/// Detections wait for the tracks of the same instant, which follow them in the file.
+struct WaitingDetections {
+  Time time;
+  std::vector<Detection> detections;
+
+  [[nodiscard]] std::vector<Detection> take(Time tracks_time) {
+    auto taken = std::exchange(detections, {});
+    if (time != tracks_time) taken.clear();  // their own tracks were lost to damage
+    return taken;
+  }
+};
 
 }  // namespace
 
@@ -86,7 +92,7 @@ Result<std::vector<StepResult>> read_tracks_mcap(const std::filesystem::path& pa
   auto source = open_mcap(path, {kTracksTopic, kDetectionsTopic});
   if (!source) return tl::unexpected(source.error());
   std::vector<StepResult> steps;
-  std::vector<Detection> detections;
+  WaitingDetections waiting;
   for (;;) {
     auto message = (*source)->next();
     if (!message) return tl::unexpected(message.error());
@@ -95,11 +101,12 @@ Result<std::vector<StepResult>> read_tracks_mcap(const std::filesystem::path& pa
     if (channel.type == "scanfuse.Detections") {
       auto read = mcap::detections_from_json((*message)->bytes);
       if (!read) return fail(read.error().code, "{}: {}", path.string(), read.error().message);
-      detections = std::move(*read);
+      waiting = {(*message)->log_time, std::move(*read)};
     } else if (channel.type == "scanfuse.Tracks") {
       auto read = mcap::tracks_from_json((*message)->bytes);
       if (!read) return fail(read.error().code, "{}: {}", path.string(), read.error().message);
-      place_step(steps, std::move(*read), detections);
+      read->detections = waiting.take((*message)->log_time);
+      steps.push_back(std::move(*read));
     }
   }
   if (diagnostics != nullptr) diagnostics->merge((*source)->diagnostics());
