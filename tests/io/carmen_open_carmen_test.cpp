@@ -8,9 +8,9 @@
 namespace scanfuse::io {
 namespace {
 
-using scanfuse::testing::all_finite;
-using scanfuse::testing::lines_of;
-using scanfuse::testing::read_out;
+using scanfuse::io_testing::all_finite;
+using scanfuse::io_testing::lines_of;
+using scanfuse::io_testing::read_out;
 using ::testing::HasSubstr;
 
 auto read_log(std::string text) {
