@@ -9,8 +9,8 @@
 namespace scanfuse {
 namespace {
 
-using scanfuse::testing::content_of;
-using scanfuse::testing::TemporaryFolder;
+using scanfuse::io_testing::content_of;
+using scanfuse::io_testing::TemporaryFolder;
 using ::testing::HasSubstr;
 
 struct Outcome {

@@ -7,13 +7,14 @@
 #include "io/reading.hpp"
 #include "scanfuse/core/random.hpp"
 #include "scanfuse/io/csv/points_writer.hpp"
+#include "scanfuse/io/text/numbers.hpp"
 
 namespace scanfuse::io {
 namespace {
 
-using scanfuse::testing::all_finite;
-using scanfuse::testing::lines_of;
-using scanfuse::testing::read_out;
+using scanfuse::io_testing::all_finite;
+using scanfuse::io_testing::lines_of;
+using scanfuse::io_testing::read_out;
 using ::testing::HasSubstr;
 
 auto read_points(std::string text, const OpenOptions& options = {}) {

@@ -11,9 +11,9 @@
 namespace scanfuse::io {
 namespace {
 
-using scanfuse::testing::all_finite;
-using scanfuse::testing::read_out;
-using scanfuse::testing::TemporaryFolder;
+using scanfuse::io_testing::all_finite;
+using scanfuse::io_testing::read_out;
+using scanfuse::io_testing::TemporaryFolder;
 
 std::string bin_of(const std::vector<float>& values) {
   return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)};
@@ -107,7 +107,7 @@ TEST(Kitti, FlippedFilesGiveFiniteReturns) {
   for (int round = 0; round < 1000; ++round) {
     std::string flipped = kScan;
     flipped[random.below(flipped.size())] ^= static_cast<char>(1 << random.below(8));
-    scanfuse::testing::ReadOut out;
+    scanfuse::io_testing::ReadOut out;
     auto scan = read_kitti_bin(flipped, "0.bin", out.diagnostics);
     if (scan) out.scans.push_back(std::move(*scan));
     EXPECT_TRUE(all_finite(out));

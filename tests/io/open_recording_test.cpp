@@ -7,7 +7,7 @@
 namespace scanfuse::io {
 namespace {
 
-using scanfuse::testing::TemporaryFolder;
+using scanfuse::io_testing::TemporaryFolder;
 using ::testing::HasSubstr;
 
 std::string refusal_of(const std::filesystem::path& path) {
@@ -47,7 +47,7 @@ TEST(OpenRecording, GarbageBehindEveryMagicIsAnErrorOrDamage) {
                                   "7zXZ",
                                   "# .PCD v.7\n", "FLASER 3 ", "frame,time_s,x_m,y_m\n"}) {
     const auto path = folder.write("garbage", magic + std::string(300, '\x7f'));
-    const auto out = scanfuse::testing::read_out(open_recording(path));
+    const auto out = scanfuse::io_testing::read_out(open_recording(path));
     EXPECT_TRUE(out.error || out.diagnostics.any_damage()) << magic;
   }
 }

@@ -11,9 +11,9 @@
 namespace scanfuse::io {
 namespace {
 
-using scanfuse::testing::all_finite;
-using scanfuse::testing::read_out;
-using scanfuse::testing::TemporaryFolder;
+using scanfuse::io_testing::all_finite;
+using scanfuse::io_testing::read_out;
+using scanfuse::io_testing::TemporaryFolder;
 using ::testing::HasSubstr;
 
 std::string pcd_header(int points, const std::string& data) {
@@ -163,7 +163,7 @@ TEST(Pcd, TruncatedAndFlippedFilesGiveAnErrorOrFinitePoints) {
   for (const char* encoding : {"ascii", "binary", "binary_compressed"}) {
     const std::string whole = cloud_in(encoding);
     const auto check = [](const std::string& file) {
-      scanfuse::testing::ReadOut out;
+      scanfuse::io_testing::ReadOut out;
       auto scan = read_pcd(file, "c.pcd", out.diagnostics);
       if (scan) out.scans.push_back(std::move(*scan));
       EXPECT_TRUE(all_finite(out));

@@ -8,7 +8,7 @@
 #include "scanfuse/io/recording.hpp"
 #include "scanfuse/io/text/line_reader.hpp"
 
-namespace scanfuse::testing {
+namespace scanfuse::io_testing {
 
 /// Everything that a reader gives, and how it ended.
 struct ReadOut {
@@ -60,4 +60,4 @@ inline bool all_finite(const ReadOut& out) {
   return true;
 }
 
-}  // namespace scanfuse::testing
+}  // namespace scanfuse::io_testing

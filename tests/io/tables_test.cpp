@@ -10,9 +10,9 @@
 namespace scanfuse::io {
 namespace {
 
-using scanfuse::testing::content_of;
-using scanfuse::testing::lines_of;
-using scanfuse::testing::TemporaryFolder;
+using scanfuse::io_testing::content_of;
+using scanfuse::io_testing::lines_of;
+using scanfuse::io_testing::TemporaryFolder;
 using ::testing::HasSubstr;
 
 StepResult sample_step() {

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace scanfuse::testing {
+namespace scanfuse::io_testing {
 
 /// A folder of its own for one test, removed with it.
 class TemporaryFolder {
@@ -41,4 +41,4 @@ class TemporaryFolder {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-}  // namespace scanfuse::testing
+}  // namespace scanfuse::io_testing

@@ -62,7 +62,7 @@ std::optional<Decimal> take_apart(std::string_view text) {
   if (i < text.size()) {
     if (text[i] != 'e' && text[i] != 'E') return std::nullopt;
     const auto exponent = parse_whole(text.substr(i + 1));
-    if (!exponent || std::abs(*exponent) > 100) return std::nullopt;
+    if (!exponent || std::abs(*exponent) > 10000) return std::nullopt;
     number.point += static_cast<int>(*exponent);
   }
   return number;
