@@ -10,7 +10,13 @@
 namespace scanfuse::app {
 
 /// Exit codes scripts rely on.
-enum ExitCode { kDone = 0, kInternalFault = 1, kBadInput = 2, kDamagedInput = 3, kInterrupted = 130 };
+enum ExitCode {
+  kDone = 0,
+  kInternalFault = 1,
+  kBadInput = 2,
+  kDamagedInput = 3,
+  kInterrupted = 130
+};
 
 /// What every command takes: --quiet, --seed, --threads, --json where a script would read it.
 struct CommonOptions {
@@ -42,7 +48,8 @@ int report_diagnostics(const Diagnostics& diagnostics, bool quiet);
 /// Set by Ctrl-C; loops look at it between scans, finish what they wrote and return kInterrupted.
 extern std::atomic<bool> interrupted;
 
-/// A line on stderr that is redrawn while work goes on; silent when stderr is no terminal or --quiet.
+/// A line on stderr that is redrawn while work goes on; silent when stderr is no terminal or
+/// --quiet.
 class Progress {
  public:
   Progress(std::string label, bool quiet);

@@ -13,8 +13,8 @@ std::vector<OptionView> view_config(const PerceptionOptions& options) {
   return all;
 }
 
-Result<void> set_config(PerceptionOptions& options, std::string_view section,
-                        std::string_view name, std::string_view value) {
+Result<void> set_config(PerceptionOptions& options, std::string_view section, std::string_view name,
+                        std::string_view value) {
   Result<void> outcome;
   bool found = false;
   std::vector<std::string> sections;
