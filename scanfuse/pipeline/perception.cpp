@@ -10,20 +10,6 @@ Perception::Perception(const PerceptionOptions& options)
       recognize_(options.classify),
       tracker_(options.track) {}
 
-const StepResult& Perception::step(const PosedScan& posed) {
-  virtual_scan_ = flatten_(posed.scan, posed.ego_from_sensor);
-  if (options_.pipeline.deskew) straighten(posed);
-  const Clusters& clusters = segment_(virtual_scan_);
-  const auto outlines = outline_(virtual_scan_, clusters);
-  const auto detections = recognize_(outlines);
-
-  give_in_world(posed, detections);
-  result_.tracks = tracker_.step(posed.scan.stamp, result_.detections);
-  if (options_.pipeline.frame == OutputFrame::kEgo) give_in_ego();
-  clusters_ = &clusters;
-  return result_;
-}
-
 void Perception::straighten(const PosedScan& posed) {
   const auto& twist = posed.twist;
   preprocess::deskew(virtual_scan_,
