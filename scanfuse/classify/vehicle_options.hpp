@@ -37,7 +37,7 @@ struct RecognizerOptions {
   double both_cut_score = 0.7;
   double size_slack_m = 0.4;
   double mean_length_m = 4.4;
-  double sigma_length_m = 0.45;
+  double sigma_length_m = 0.4;
   double mean_width_m = 1.8;
   double sigma_width_m = 0.12;
   double max_end_sigma_m = 0.15;

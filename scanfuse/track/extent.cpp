@@ -83,7 +83,7 @@ Gaussian<2> extent_prior(ObjectClass object_class) {
   };
   switch (object_class) {
     case ObjectClass::kVehicle:
-      return prior(4.4, 1.8, 0.5, 0.15);
+      return prior(4.4, 1.8, 0.4, 0.12);
     case ObjectClass::kPedestrian:
       return prior(0.6, 0.5, 0.2, 0.15);
     case ObjectClass::kCyclist:

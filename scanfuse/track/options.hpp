@@ -43,7 +43,7 @@ struct TrackerOptions {
   double gate_distance_m = 4;
   double unassigned_cost = 10;
   double class_mismatch_cost = 4;
-  double sigma_accel = 1.0;
+  double sigma_accel = 0.8;
   double sigma_velocity_m_per_s = 10;
   double sigma_position_m = 0.01;
   double sigma_p_m = 0.5;
