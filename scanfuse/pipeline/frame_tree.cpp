@@ -62,8 +62,7 @@ bool FrameTree::covers(const std::string& ancestor, const std::string& frame, Ti
 
 bool FrameTree::moves(const std::string& ancestor, const std::string& frame) const {
   const auto edges = path(plain_frame(ancestor), frame);
-  return std::any_of(edges.begin(), edges.end(),
-                     [](const Edge* edge) { return !edge->is_static; });
+  return std::any_of(edges.begin(), edges.end(), [](const Edge* edge) { return !edge->is_static; });
 }
 
 void FrameTree::forget_before(Time stamp) {

@@ -20,8 +20,7 @@ class FrameTree {
   [[nodiscard]] std::vector<std::string> ancestry(const std::string& frame) const;
   /// ancestor_from_frame at `stamp`; nothing when they are not connected.
   [[nodiscard]] std::optional<PoseBuffer::Found> lookup(const std::string& ancestor,
-                                                        const std::string& frame,
-                                                        Time stamp) const;
+                                                        const std::string& frame, Time stamp) const;
   /// True when every moving edge between the two has a sample at or after `stamp`.
   [[nodiscard]] bool covers(const std::string& ancestor, const std::string& frame,
                             Time stamp) const;

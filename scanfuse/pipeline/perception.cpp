@@ -1,5 +1,7 @@
 #include "scanfuse/pipeline/perception.hpp"
 
+#include "scanfuse/pipeline/scaled.hpp"
+
 namespace scanfuse::pipeline {
 
 Perception::Perception(const PerceptionOptions& options)
@@ -11,6 +13,25 @@ Perception::Perception(const PerceptionOptions& options)
       tracker_(options.track) {}
 
 const StepResult& Perception::step(const PosedScan& posed) {
+  if (options_.pipeline.scale == 1) {
+    run(posed);
+  } else {
+    run(scaled(posed, 1 / options_.pipeline.scale));
+    give_in_scene(posed);
+  }
+  return result_;
+}
+
+void Perception::give_in_scene(const PosedScan& posed) {
+  const double scale = options_.pipeline.scale;
+  result_.world_from_ego = posed.world_from_ego;
+  result_.ego_from_sensor = posed.ego_from_sensor;
+  for (Detection& detection : result_.detections) detection = scaled(detection, scale);
+  for (Track& track : result_.tracks) track = scaled(track, scale);
+  virtual_scan_ = scaled(std::move(virtual_scan_), scale);
+}
+
+void Perception::run(const PosedScan& posed) {
   virtual_scan_ = flatten_(posed.scan, posed.ego_from_sensor);
   if (options_.pipeline.deskew) straighten(posed);
   const Clusters& clusters = segment_(virtual_scan_);
@@ -21,7 +42,6 @@ const StepResult& Perception::step(const PosedScan& posed) {
   result_.tracks = tracker_.step(posed.scan.stamp, result_.detections);
   if (options_.pipeline.frame == OutputFrame::kEgo) give_in_ego();
   clusters_ = &clusters;
-  return result_;
 }
 
 void Perception::straighten(const PosedScan& posed) {

@@ -27,12 +27,16 @@ constexpr auto choices(OutputFrame) {
 struct PipelineOptions {
   OutputFrame frame = OutputFrame::kWorld;
   bool deskew = true;
+  double scale = 1;
 
   static constexpr auto fields() {
     using O = PipelineOptions;
     return std::tuple{
         Field{"frame", &O::frame, "frame of the results: world (odometry) or ego at the scan"},
         Field{"deskew", &O::deskew, "correct each beam for the ego motion since the scan's stamp"},
+        Field{"scale", &O::scale, 0.001, 100.0,
+              "size of the scene against a real road: 0.1 for models of 1:10; options of all other "
+              "sections then stand in metres of the real road, results in those of the scene"},
     };
   }
 };
@@ -63,6 +67,9 @@ class Perception {
   [[nodiscard]] Diagnostics diagnostics() const { return tracker_.diagnostics(); }
 
  private:
+  void run(const PosedScan& posed);
+  /// Results and virtual scan back to the size of the scene.
+  void give_in_scene(const PosedScan& posed);
   void straighten(const PosedScan& posed);
   void give_in_world(const PosedScan& posed, std::span<const Detection> detections);
   void give_in_ego();

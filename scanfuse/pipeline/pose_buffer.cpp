@@ -22,8 +22,8 @@ void PoseBuffer::add(Time stamp, const Pose3& pose) {
 
 std::size_t PoseBuffer::first_after(Time stamp) const {
   const auto later = [](Time t, const Sample& sample) { return t < sample.stamp; };
-  return static_cast<std::size_t>(
-      std::upper_bound(samples_.begin(), samples_.end(), stamp, later) - samples_.begin());
+  return static_cast<std::size_t>(std::upper_bound(samples_.begin(), samples_.end(), stamp, later) -
+                                  samples_.begin());
 }
 
 std::optional<PoseBuffer::Found> PoseBuffer::at(Time stamp) const {
@@ -40,7 +40,8 @@ std::optional<PoseBuffer::Found> PoseBuffer::at(Time stamp) const {
 
 PoseBuffer::Twist PoseBuffer::twist_at(Time stamp) const {
   if (samples_.size() < 2) return {};
-  // A baseline of several samples where they come fast: differences of noisy neighbours are useless.
+  // A baseline of several samples where they come fast: differences of noisy neighbours are
+  // useless.
   constexpr auto kHalfBase = std::chrono::milliseconds(50);
   std::size_t after = std::clamp<std::size_t>(first_after(stamp), 1, samples_.size() - 1);
   std::size_t before = after - 1;

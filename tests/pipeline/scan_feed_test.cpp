@@ -157,10 +157,10 @@ TEST(ScanFeed, AScanThatRepeatsTheStampOfItsSensorIsLeftOut) {
 }
 
 TEST(ScanFeed, ALoopInTfIsCutAndHangsNothing) {
-  ScanFeed feed(std::make_unique<ListReader>(
-                    std::vector{tf_event(0, "a", "laser", 1, false), tf_event(0, "laser", "a", 1, false),
-                                scan_event(0.1), scan_event(2.5)},
-                    std::vector{topic("/tf", "tf2_msgs/TFMessage")}),
+  ScanFeed feed(std::make_unique<ListReader>(std::vector{tf_event(0, "a", "laser", 1, false),
+                                                         tf_event(0, "laser", "a", 1, false),
+                                                         scan_event(0.1), scan_event(2.5)},
+                                             std::vector{topic("/tf", "tf2_msgs/TFMessage")}),
                 {});
   EXPECT_EQ(drain(feed).size(), 2u);
 }
