@@ -42,7 +42,8 @@ void for_each_section(Options& options, Visit&& visit) {
 /// A named set of options:
 /// - `vehicle-pag`: vehicles by the default chain;
 /// - `vehicle-pag-literal`: the chain of [Lu2018] as printed, to compare and to reproduce;
-/// - `vehicle-model`: vehicle-pag for models of about 1:10.
+/// - `vehicle-model`: vehicle-pag for models of about 1:10;
+/// - `road-users`: vehicle-pag that keeps smaller objects too (cyclists, pedestrians) as unknown.
 [[nodiscard]] Result<PerceptionOptions> preset(std::string_view name);
 [[nodiscard]] std::vector<std::string> preset_names();
 

@@ -1,5 +1,6 @@
 #include "scanfuse/pipeline/perception.hpp"
 
+
 namespace scanfuse::pipeline {
 
 Perception::Perception(const PerceptionOptions& options)
@@ -9,6 +10,15 @@ Perception::Perception(const PerceptionOptions& options)
       outline_(options.shape),
       recognize_(options.classify),
       tracker_(options.track) {}
+
+void Perception::give_in_scene(const PosedScan& posed) {
+  const double scale = options_.pipeline.scale;
+  result_.world_from_ego = posed.world_from_ego;
+  result_.ego_from_sensor = posed.ego_from_sensor;
+  for (Detection& detection : result_.detections) detection = scaled(detection, scale);
+  for (Track& track : result_.tracks) track = scaled(track, scale);
+  virtual_scan_ = scaled(std::move(virtual_scan_), scale);
+}
 
 void Perception::straighten(const PosedScan& posed) {
   const auto& twist = posed.twist;

@@ -7,6 +7,7 @@
 
 #include "scanfuse/classify/recognizer.hpp"
 #include "scanfuse/core/options.hpp"
+#include "scanfuse/pipeline/scaled.hpp"
 #include "scanfuse/pipeline/scan_feed.hpp"
 #include "scanfuse/preprocess/deskew.hpp"
 #include "scanfuse/preprocess/virtual_scan_builder.hpp"
@@ -27,12 +28,16 @@ constexpr auto choices(OutputFrame) {
 struct PipelineOptions {
   OutputFrame frame = OutputFrame::kWorld;
   bool deskew = true;
+  double scale = 1;
 
   static constexpr auto fields() {
     using O = PipelineOptions;
     return std::tuple{
         Field{"frame", &O::frame, "frame of the results: world (odometry) or ego at the scan"},
         Field{"deskew", &O::deskew, "correct each beam for the ego motion since the scan's stamp"},
+        Field{"scale", &O::scale, 0.001, 100.0,
+              "size of the scene against a real road: 0.1 for models of 1:10; options of all other "
+              "sections then stand in metres of the real road, results in those of the scene"},
     };
   }
 };
@@ -78,6 +83,10 @@ class Perception {
   [[nodiscard]] Diagnostics diagnostics() const { return tracker_.diagnostics(); }
 
  private:
+  template <class After>
+  void run(const PosedScan& posed, After& after);
+  /// Results and virtual scan back to the size of the scene.
+  void give_in_scene(const PosedScan& posed);
   void straighten(const PosedScan& posed);
   void give_in_world(const PosedScan& posed, std::span<const Detection> detections);
   void give_in_ego();
@@ -95,6 +104,17 @@ class Perception {
 
 template <class After>
 const StepResult& Perception::step(const PosedScan& posed, After&& after) {
+  if (options_.pipeline.scale == 1) {
+    run(posed, after);
+  } else {
+    run(scaled(posed, 1 / options_.pipeline.scale), after);
+    give_in_scene(posed);
+  }
+  return result_;
+}
+
+template <class After>
+void Perception::run(const PosedScan& posed, After& after) {
   virtual_scan_ = flatten_(posed.scan, posed.ego_from_sensor);
   after(Stage::kPreprocess);
   if (options_.pipeline.deskew) straighten(posed);
@@ -109,7 +129,6 @@ const StepResult& Perception::step(const PosedScan& posed, After&& after) {
   result_.tracks = tracker_.step(posed.scan.stamp, result_.detections);
   if (options_.pipeline.frame == OutputFrame::kEgo) give_in_ego();
   after(Stage::kTrack);
-  return result_;
 }
 
 /// The detection seen from another frame: `target_from_source` is planar.

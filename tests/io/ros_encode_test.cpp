@@ -84,6 +84,41 @@ TEST(RosEncode, WhatLaserScanWouldLoseGoesIntoAPointCloud) {
   EXPECT_FALSE(changed([](Scan& s) { s.beams->max_range_m = 1; }));
 }
 
+/// Beams of four layers over half a turn; of the outermost ones nothing came back.
+Scan layered_fan() {
+  Scan scan;
+  scan.beams = BeamPattern{radians(100), radians(0.25), 721, 4, 0.3, 200};
+  for (int beam = 40; beam < 600; beam += 1 + beam % 3) {
+    const double azimuth = scan.beams->first_azimuth_rad + beam * scan.beams->step_rad;
+    Return point;
+    point.x_m = static_cast<float>(20 * std::cos(azimuth));
+    point.y_m = static_cast<float>(20 * std::sin(azimuth));
+    point.beam = beam;
+    point.layer = static_cast<std::int16_t>(beam % 3);
+    scan.returns.push_back(point);
+  }
+  return scan;
+}
+
+TEST(RosEncode, ThePatternOfTheBeamsSurvivesAPointCloud) {
+  const Scan scan = layered_fan();
+  const auto back = std::get<Scan>(read_back(encode_cdr(scan)).payload);
+  EXPECT_EQ(back.returns.size(), scan.returns.size());
+  ASSERT_TRUE(back.beams.has_value());
+  EXPECT_EQ(back.beams->columns, 721);
+  EXPECT_EQ(back.beams->layers, 4);
+  EXPECT_NEAR(back.beams->first_azimuth_rad, radians(100), 1e-6);
+  EXPECT_NEAR(back.beams->step_rad, radians(0.25), 1e-8);
+}
+
+TEST(RosEncode, ReturnsThatStandOnNoEvenPatternComeBackWithoutOne) {
+  Scan scan = layered_fan();
+  std::swap(scan.returns[10].beam, scan.returns[80].beam);
+  EXPECT_FALSE(std::get<Scan>(read_back(encode_cdr(scan)).payload).beams.has_value());
+  scan.returns.resize(3);
+  EXPECT_FALSE(std::get<Scan>(read_back(encode_cdr(scan)).payload).beams.has_value());
+}
+
 TEST(RosEncode, EmptyScansComeBackEmpty) {
   Scan scan;
   EXPECT_TRUE(std::get<Scan>(read_back(encode_cdr(scan)).payload).returns.empty());

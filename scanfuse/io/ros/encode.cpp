@@ -107,8 +107,29 @@ constexpr CloudField kCloudFields[] = {
     {"t", 16, kFloat32}, {"beam", 20, kInt32}, {"layer", 24, kInt16}, {"echo", 26, kUint8}};
 constexpr std::uint32_t kCloudPointBytes = 28;
 
+void write_cloud_point(CdrWriter& writer, const Return& point) {
+  for (const float value :
+       {point.x_m, point.y_m, point.z_m, point.intensity, point.time_offset_s}) {
+    writer.write(value);
+  }
+  writer.write(point.beam);
+  writer.write(point.layer);
+  writer.write(point.echo);
+  writer.write(std::uint8_t{0});
+}
+
+/// A point that is no echo, of the last beam of the last layer: it carries how many there are.
+Return last_beam(const BeamPattern& beams) {
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  Return point{kNan, kNan, kNan};
+  point.beam = beams.columns - 1;
+  point.layer = static_cast<std::int16_t>(std::clamp(beams.layers - 1, 0, 32767));
+  return point;
+}
+
 EncodedMessage encode_point_cloud(const Scan& scan) {
-  const auto count = static_cast<std::uint32_t>(scan.returns.size());
+  const bool patterned = scan.beams && scan.beams->columns > 0;
+  const auto count = static_cast<std::uint32_t>(scan.returns.size() + (patterned ? 1 : 0));
   CdrWriter writer;
   write_header(writer, scan.stamp, scan.frame_id);
   writer.write(std::uint32_t{1});
@@ -126,17 +147,9 @@ EncodedMessage encode_point_cloud(const Scan& scan) {
   writer.write(count * kCloudPointBytes);
   // Every point is 28 bytes and the data start on a multiple of 4, so writing field by field leaves
   // no gaps but the one spare byte.
-  for (const auto& point : scan.returns) {
-    for (const float value :
-         {point.x_m, point.y_m, point.z_m, point.intensity, point.time_offset_s}) {
-      writer.write(value);
-    }
-    writer.write(point.beam);
-    writer.write(point.layer);
-    writer.write(point.echo);
-    writer.write(std::uint8_t{0});
-  }
-  writer.write(std::uint8_t{1});
+  for (const auto& point : scan.returns) write_cloud_point(writer, point);
+  if (patterned) write_cloud_point(writer, last_beam(*scan.beams));
+  writer.write(static_cast<std::uint8_t>(patterned ? 0 : 1));  // is_dense
   return finished("sensor_msgs/msg/PointCloud2", writer);
 }
 

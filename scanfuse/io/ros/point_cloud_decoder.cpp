@@ -3,6 +3,7 @@
 #include <initializer_list>
 #include <limits>
 
+#include "scanfuse/io/ros/beam_fit.hpp"
 #include "scanfuse/io/ros/message_decoders.hpp"
 
 namespace scanfuse::io::ros {
@@ -11,6 +12,8 @@ namespace {
 
 constexpr std::int64_t kLongestSweepNs = 10'000'000'000;
 constexpr std::uint32_t kMostLayerRows = 128;  ///< organised clouds with more rows are images
+
+constexpr std::int64_t kMostBeams = 1'000'000;
 
 /// PointField.datatype, as sensor_msgs defines the numbers.
 enum class Datatype : std::uint8_t { kI8 = 1, kU8, kI16, kU16, kI32, kU32, kF32, kF64 };
@@ -227,11 +230,17 @@ DecodedMessage decode_point_cloud(WireReader& reader) {
   const Cloud cloud = read_cloud(reader);
   if (!reader.ok()) return decoded;
   std::vector<std::int64_t> nanos;
+  std::int64_t columns = 0;
+  int layers = 0;
   scan.returns.reserve(std::size_t{cloud.width} * cloud.height);
   for (std::uint32_t row = 0; row < cloud.height; ++row) {
     const std::byte* begin = cloud.data.data() + std::size_t{row} * cloud.row_step;
     for (std::uint32_t column = 0; column < cloud.width; ++column) {
       const std::byte* point = begin + std::size_t{column} * cloud.point_step;
+      if (cloud.beam) {  // beams without a return count: they tell how wide the view is
+        columns = std::max(columns, whole_at<std::int32_t>(cloud, cloud.beam, point, 0, 0) + std::int64_t{1});
+        layers = std::max(layers, whole_at<std::int16_t>(cloud, cloud.layer, point, 0, 0) + 1);
+      }
       const auto echo = return_at(cloud, point, row);
       if (!echo) continue;
       scan.returns.push_back(*echo);
@@ -239,6 +248,8 @@ DecodedMessage decode_point_cloud(WireReader& reader) {
     }
   }
   if (cloud.time) set_times(scan, nanos, decoded.diagnostics);
+  if (columns <= kMostBeams)
+    scan.beams = fit_beams(scan.returns, static_cast<int>(columns), layers);
   decoded.payload = std::move(scan);
   return decoded;
 }
