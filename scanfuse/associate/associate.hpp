@@ -51,6 +51,9 @@ constexpr auto choices(Method) {
                                                  std::span<const Candidate> candidates,
                                                  double unassigned_cost);
 
+[[nodiscard]] Assignment associate(Method method, int tracks, int detections,
+                                   std::span<const Candidate> candidates, double unassigned_cost);
+
 /// The three of them with memory that is kept from scan to scan: grown once, nothing is allocated.
 class Associator {
  public:

@@ -15,6 +15,11 @@ Assignment assign_detection_greedy(int tracks, int detections,
   return Associator()(Method::kDetectionGreedy, tracks, detections, candidates, unassigned_cost);
 }
 
+Assignment associate(Method method, int tracks, int detections,
+                     std::span<const Candidate> candidates, double unassigned_cost) {
+  return Associator()(method, tracks, detections, candidates, unassigned_cost);
+}
+
 const Assignment& Associator::operator()(Method method, int tracks, int detections,
                                          std::span<const Candidate> candidates,
                                          double unassigned_cost) {

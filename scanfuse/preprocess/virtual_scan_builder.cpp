@@ -259,13 +259,15 @@ void VirtualScanBuilder::sort_into_columns(const Scan& scan) {
 int VirtualScanBuilder::support_of(std::span<const std::uint64_t> column) const {
   const float reach = range_of(column[0]) + static_cast<float>(options_.support_m);
   std::uint64_t layers = 0;
-  int count = 0;
+  int count = 0, distinct = 0;
   for (const std::uint64_t key : column) {
     if (range_of(key) > reach) break;
-    layers |= 1ULL << (points_[index_of(key)].layer & 63);
+    const std::uint64_t bit = 1ULL << (points_[index_of(key)].layer & 63);
+    distinct += (layers & bit) == 0 ? 1 : 0;
+    layers |= bit;
     ++count;
   }
-  return layered_ ? std::popcount(layers) : count;
+  return layered_ ? distinct : count;
 }
 
 bool VirtualScanBuilder::is_lonely_ground(const LevelPoint& point, GroundMethod method) const {

@@ -70,8 +70,8 @@ TEST_P(Allocation, AStepNeedsNoNewMemoryOnceTheBuffersHaveGrown) {
 #endif
   auto scans = recorded(GetParam(), 60);
   pipeline::Perception perception;
-  const Duration again = scans.back().scan.stamp - scans.front().scan.stamp +
-                         std::chrono::milliseconds(80);
+  const Duration again =
+      scans.back().scan.stamp - scans.front().scan.stamp + std::chrono::milliseconds(80);
   std::size_t tracks = 0;
   for (int round = 0; round < 4; ++round) {
     const long before = requests;
@@ -79,7 +79,8 @@ TEST_P(Allocation, AStepNeedsNoNewMemoryOnceTheBuffersHaveGrown) {
       tracks += perception.step(posed).tracks.size();
       posed.scan.stamp += again;
     }
-    if (round >= 2) EXPECT_EQ(requests - before, 0) << "round " << round;
+    const long most = round >= 2 ? 0 : 1'000'000;
+    EXPECT_LE(requests - before, most) << "round " << round;
   }
   EXPECT_GT(tracks, 100u);
 }
