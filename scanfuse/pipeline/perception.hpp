@@ -64,7 +64,7 @@ constexpr auto choices(Stage) {
 
 /// The whole chain: one scan in, detections and tracks out. Every arrow of docs/architecture.md is
 /// one line of `step`. Keeps its buffers: once they have grown, a step allocates nothing
-/// (tests/pipeline/allocation). One object per stream and thread.
+/// (tests/allocation). One object per stream and thread.
 class Perception {
  public:
   explicit Perception(const PerceptionOptions& options = {});
