@@ -54,13 +54,15 @@ class Perception {
  public:
   explicit Perception(const PerceptionOptions& options = {});
 
-  /// Valid until the next call. Scans of several sensors may be mixed, in order of time.
+  /// Valid until the next call. Scans of several sensors may be mixed, in order of time. Every
+  /// number given is finite: a scan at an unusable pose (not finite, or past 1e7 m) counts as
+  /// empty, and is noted in `diagnostics`.
   const StepResult& step(const PosedScan& posed);
 
   /// What the last step saw on its way, in the levelled sensor frame: for reports.
   [[nodiscard]] const VirtualScan& virtual_scan() const { return virtual_scan_; }
   [[nodiscard]] const Clusters& clusters() const { return *clusters_; }
-  [[nodiscard]] Diagnostics diagnostics() const { return tracker_.diagnostics(); }
+  [[nodiscard]] Diagnostics diagnostics() const;
 
  private:
   void straighten(const PosedScan& posed);
@@ -68,6 +70,7 @@ class Perception {
   void give_in_ego();
 
   PerceptionOptions options_;
+  Diagnostics diagnostics_;
   preprocess::VirtualScanBuilder flatten_;
   segment::Segmenter segment_;
   shape::OutlineExtractor outline_;
