@@ -31,27 +31,18 @@ Perception::Perception(const PerceptionOptions& options)
       recognize_(options.classify),
       tracker_(options.track) {}
 
-const StepResult& Perception::step(const PosedScan& posed) {
-  if (!is_near(posed.world_from_ego) || !is_near(posed.ego_from_sensor)) {
-    diagnostics_.note("scan at an unusable pose taken as empty",
-                      posed.scan.sensor + " scan " + std::to_string(posed.scan.frame));
-    PosedScan nothing;
-    nothing.scan.stamp = posed.scan.stamp;
-    nothing.scan.frame = posed.scan.frame;
-    nothing.scan.sensor = posed.scan.sensor;
-    return step(nothing);
-  }
-  virtual_scan_ = flatten_(posed.scan, posed.ego_from_sensor);
-  if (options_.pipeline.deskew) straighten(posed);
-  const Clusters& clusters = segment_(virtual_scan_);
-  const auto outlines = outline_(virtual_scan_, clusters);
-  const auto detections = recognize_(outlines);
+bool Perception::is_placed(const PosedScan& posed) {
+  return is_near(posed.world_from_ego) && is_near(posed.ego_from_sensor);
+}
 
-  give_in_world(posed, detections);
-  result_.tracks = tracker_.step(posed.scan.stamp, result_.detections);
-  if (options_.pipeline.frame == OutputFrame::kEgo) give_in_ego();
-  clusters_ = &clusters;
-  return result_;
+PosedScan Perception::left_empty(const PosedScan& posed) {
+  diagnostics_.note("scan at an unusable pose taken as empty",
+                    posed.scan.sensor + " scan " + std::to_string(posed.scan.frame));
+  PosedScan nothing;
+  nothing.scan.stamp = posed.scan.stamp;
+  nothing.scan.frame = posed.scan.frame;
+  nothing.scan.sensor = posed.scan.sensor;
+  return nothing;
 }
 
 Diagnostics Perception::diagnostics() const {

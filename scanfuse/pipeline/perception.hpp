@@ -47,9 +47,19 @@ struct PerceptionOptions {
   track::TrackerOptions track;
 };
 
+/// The arrows of the chain, for those who measure them.
+enum class Stage { kPreprocess, kDeskew, kSegment, kShape, kClassify, kTrack };
+
+constexpr auto choices(Stage) {
+  using enum Stage;
+  return std::array{std::pair{"preprocess", kPreprocess}, std::pair{"de-skew", kDeskew},
+                    std::pair{"segment", kSegment},       std::pair{"shape", kShape},
+                    std::pair{"classify", kClassify},     std::pair{"track", kTrack}};
+}
+
 /// The whole chain: one scan in, detections and tracks out. Every arrow of docs/architecture.md is
-/// one line of `step`. Keeps its buffers, so that a steady stream allocates next to nothing; one
-/// object per stream and thread.
+/// one line of `step`. Keeps its buffers: once they have grown, a step allocates nothing
+/// (tests/pipeline/allocation). One object per stream and thread.
 class Perception {
  public:
   explicit Perception(const PerceptionOptions& options = {});
@@ -57,7 +67,12 @@ class Perception {
   /// Valid until the next call. Scans of several sensors may be mixed, in order of time. Every
   /// number given is finite: a scan at an unusable pose (not finite, or past 1e7 m) counts as
   /// empty, and is noted in `diagnostics`.
-  const StepResult& step(const PosedScan& posed);
+  const StepResult& step(const PosedScan& posed) {
+    return step(posed, [](Stage) {});
+  }
+  /// The same, calling `after(stage)` when a stage is done.
+  template <class After>
+  const StepResult& step(const PosedScan& posed, After&& after);
 
   /// What the last step saw on its way, in the levelled sensor frame: for reports.
   [[nodiscard]] const VirtualScan& virtual_scan() const { return virtual_scan_; }
@@ -65,6 +80,8 @@ class Perception {
   [[nodiscard]] Diagnostics diagnostics() const;
 
  private:
+  [[nodiscard]] static bool is_placed(const PosedScan& posed);
+  PosedScan left_empty(const PosedScan& posed);
   void straighten(const PosedScan& posed);
   void give_in_world(const PosedScan& posed, std::span<const Detection> detections);
   void give_in_ego();
@@ -80,6 +97,26 @@ class Perception {
   VirtualScan virtual_scan_;
   const Clusters* clusters_ = nullptr;
 };
+
+template <class After>
+const StepResult& Perception::step(const PosedScan& posed, After&& after) {
+  if (!is_placed(posed)) return step(left_empty(posed), after);
+  virtual_scan_ = flatten_(posed.scan, posed.ego_from_sensor);
+  after(Stage::kPreprocess);
+  if (options_.pipeline.deskew) straighten(posed);
+  after(Stage::kDeskew);
+  clusters_ = &segment_(virtual_scan_);
+  after(Stage::kSegment);
+  const auto outlines = outline_(virtual_scan_, *clusters_);
+  after(Stage::kShape);
+  const auto detections = recognize_(outlines);
+  after(Stage::kClassify);
+  give_in_world(posed, detections);
+  result_.tracks = tracker_.step(posed.scan.stamp, result_.detections);
+  if (options_.pipeline.frame == OutputFrame::kEgo) give_in_ego();
+  after(Stage::kTrack);
+  return result_;
+}
 
 /// The detection seen from another frame: `target_from_source` is planar.
 [[nodiscard]] Detection moved(const Detection& detection, const Pose2& target_from_source);

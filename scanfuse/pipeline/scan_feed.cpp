@@ -102,7 +102,7 @@ Result<bool> ScanFeed::read_one() {
 void ScanFeed::take(io::Event event) {
   newest_log_ = std::max(newest_log_, event.log_time);
   if (auto* scan = std::get_if<Scan>(&event.payload)) {
-    waiting_.push_back({std::move(*scan), event.log_time});
+    if (!is_repeat(*scan)) waiting_.push_back({std::move(*scan), event.log_time});
   } else if (auto* sample = std::get_if<PoseSample>(&event.payload)) {
     take_pose(event.topic, *sample);
   } else if (auto* edges = std::get_if<std::vector<TransformSample>>(&event.payload)) {
@@ -110,6 +110,17 @@ void ScanFeed::take(io::Event event) {
   } else if (auto* truth = std::get_if<TruthFrame>(&event.payload)) {
     truth_.push_back(std::move(*truth));
   }
+}
+
+bool ScanFeed::is_repeat(const Scan& scan) {
+  auto& last = last_read_[scan.sensor];
+  const bool repeat = last == scan.stamp;
+  last = scan.stamp;
+  if (repeat) {
+    diagnostics_.note("scan with the stamp of the one before it left out",
+                      fmt::format("{} scan {}", scan.sensor, scan.frame));
+  }
+  return repeat;
 }
 
 void ScanFeed::take_pose(const std::string& topic, const PoseSample& sample) {

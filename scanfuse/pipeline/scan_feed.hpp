@@ -56,6 +56,9 @@ class ScanFeed {
   };
   Result<bool> read_one();
   void take(io::Event event);
+  /// One sensor cannot take two scans at one instant: no time would pass between them, and tracks
+  /// would neither move nor end.
+  bool is_repeat(const Scan& scan);
   void take_pose(const std::string& topic, const PoseSample& sample);
   [[nodiscard]] bool is_ready(const Waiting& waiting) const;
   [[nodiscard]] bool uses_tf() const;
@@ -76,6 +79,7 @@ class ScanFeed {
   std::deque<Waiting> waiting_;
   std::vector<TruthFrame> truth_;
   std::map<std::string, Time> last_stamp_;
+  std::map<std::string, std::optional<Time>> last_read_;
   Time newest_log_;
   bool at_end_ = false;
 };

@@ -102,6 +102,20 @@ TEST(Carmen, BadLinesAreCountedAndALogWithoutGoodOnesIsAnError) {
   EXPECT_THAT(none.error->message, HasSubstr("a.log:2"));
 }
 
+TEST(Carmen, ScansWithoutTimesFollowAtTenASecondTogetherWithTheirPoses) {
+  std::string log;
+  for (int i = 0; i < 3; ++i) log += flaser(181, "1", "1 2 0.5 0.9 2 0.5", "0");
+  log += flaser(181, "1", "1 2 0.5 0.9 2 0.5", "5");
+  const auto out = read_log(log);
+  ASSERT_EQ(out.scans.size(), 4u);
+  ASSERT_EQ(out.poses.size(), 4u);
+  for (const auto& [place, expected_s] : {std::pair{0, 0.0}, {1, 0.1}, {2, 0.2}, {3, 5.0}}) {
+    EXPECT_NEAR(to_seconds(out.scans[place].stamp.time_since_epoch()), expected_s, 1e-9);
+    EXPECT_EQ(out.poses[place].stamp, out.scans[place].stamp);
+  }
+  EXPECT_EQ(out.diagnostics.count("no time between scans: ten scans a second assumed"), 2);
+}
+
 TEST(Carmen, TruncatedAndFlippedLogsGiveAnErrorOrFiniteScans) {
   RandomStream random(4);
   for (std::size_t size = 0; size < kLog.size(); size += 7) {

@@ -144,6 +144,18 @@ TEST(ScanFeed, ARecordingWithoutAnyEgoPoseStandsStill) {
   EXPECT_TRUE(scans[1].world_from_ego.translation_m.isZero());
 }
 
+TEST(ScanFeed, AScanThatRepeatsTheStampOfItsSensorIsLeftOut) {
+  auto other = scan_event(0.1);
+  std::get<Scan>(other.payload).sensor = "/other";
+  ScanFeed feed(std::make_unique<ListReader>(std::vector{scan_event(0), scan_event(0.1), other,
+                                                         scan_event(0.1), scan_event(0.2)}),
+                {});
+  int scans = 0;
+  while (auto posed = *feed.next()) ++scans;
+  EXPECT_EQ(scans, 4);
+  EXPECT_EQ(feed.diagnostics().count("scan with the stamp of the one before it left out"), 1);
+}
+
 TEST(ScanFeed, ALoopInTfIsCutAndHangsNothing) {
   ScanFeed feed(std::make_unique<ListReader>(std::vector{tf_event(0, "a", "laser", 1, false),
                                                          tf_event(0, "laser", "a", 1, false),

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <limits>
+#include <map>
 
 #include "scanfuse/io/carmen/carmen_line.hpp"
 #include "scanfuse/io/text/numbers.hpp"
@@ -13,6 +15,7 @@ namespace scanfuse::io {
 namespace {
 
 constexpr double kFarthestMount_m = 5;
+constexpr Duration kUsualSweep = std::chrono::milliseconds(100);
 
 std::string carmen_keyword(std::string_view line) {
   return std::string(line.substr(0, line.find_first_of(" \t")));
@@ -86,7 +89,7 @@ class CarmenReader final : public RecordingReader {
     const std::string keyword = carmen_keyword(line);
     if (is_carmen_scan(keyword)) {
       auto scan = parse_carmen_scan(line);
-      scan ? take_scan(*scan) : skip(scan.error());
+      scan ? take_scan(std::move(*scan)) : skip(scan.error());
     } else if (keyword == "ODOM") {
       auto odometry = parse_carmen_odometry(line);
       odometry ? take_odometry(*odometry) : skip(odometry.error());
@@ -101,9 +104,24 @@ class CarmenReader final : public RecordingReader {
     diagnostics_.damage("bad line skipped", place);
   }
 
-  void take_scan(const CarmenScan& line) {
+  /// Some logs never had times, or lost them to rounding: sweeps of one scanner that bear the same
+  /// stamp follow each other at ten a second, for want of better.
+  Time moved_on(const std::string& topic, Time stamp) {
+    auto& sweep = sweeps_[topic];
+    const bool again = sweep && sweep->stamp == stamp;
+    const Duration late = again ? sweep->late + kUsualSweep : Duration{0};
+    sweep = Sweep{stamp, late};
+    if (!again || to_nanos(stamp) > std::numeric_limits<std::int64_t>::max() - late.count()) {
+      return stamp;
+    }
+    diagnostics_.note("no time between scans: ten scans a second assumed", lines_.where());
+    return stamp + late;
+  }
+
+  void take_scan(CarmenScan line) {
     const std::string topic = carmen_topic(line.keyword);
     watch_.see(topic, line.stamp, lines_.where(), diagnostics_);
+    line.stamp = moved_on(topic, line.stamp);
     if (line.world_from_laser && line.world_from_robot) take_poses(line, topic);
     Scan scan = scan_from_carmen(line, topic);
     scan.frame = frame_++;
@@ -160,12 +178,17 @@ class CarmenReader final : public RecordingReader {
     std::string topic;
     Pose2 robot_from_laser;
   };
+  struct Sweep {
+    Time stamp;     ///< as written
+    Duration late;  ///< what had to be added
+  };
 
   LineReader lines_;
   OpenOptions options_;
   RecordingInfo info_;
   Diagnostics diagnostics_;
   StampWatch watch_;
+  std::map<std::string, std::optional<Sweep>> sweeps_;
   std::vector<Mount> mounts_;
   std::deque<Event> ready_;
   std::string first_fault_;
