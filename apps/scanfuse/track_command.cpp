@@ -44,6 +44,7 @@ void print_summary(const TrackRequest& request, const TrackOutcome& outcome) {
 }
 
 int run(const TrackRequest& request, const CommonOptions& common) {
+  catch_interrupts();
   const bool table = io::table_kind(request.input) == io::TableKind::kDetections;
   const auto outcome =
       table ? run_track_on_detections(request, common) : run_track(request, common);

@@ -61,6 +61,12 @@ std::filesystem::path beside(const std::string& result) {
 
 Result<TrackOutputs> TrackOutputs::open(const TrackRequest& request) {
   TrackOutputs outputs;
+  auto paths = request.outputs;
+  paths.insert(paths.end(), {request.detections, request.report});
+  for (const auto& path : paths) {
+    if (auto fine = refuse_to_replace(request.input, path); !fine)
+      return tl::unexpected(fine.error());
+  }
   for (const auto& path : request.outputs) {
     auto writer = io::open_result_writer(path);
     if (!writer) return tl::unexpected(writer.error());

@@ -174,7 +174,7 @@ Result<TrackOutcome> run_track(const TrackRequest& request, const CommonOptions&
   outcome.stopped = interrupted;
   outcome.diagnostics = feed->diagnostics();
   outcome.diagnostics.merge(perception.diagnostics());
-  if (outcome.scans == 0) {
+  if (outcome.scans == 0 && !outcome.stopped) {
     return fail(Error::Code::kNotFound,
                 "{}: no scan in it that scanfuse can read; `scanfuse info` lists what is there",
                 request.input);

@@ -16,8 +16,8 @@ struct Side {
   bool seen = false;
 };
 
-/// Weighs the seen extent against the prior; what is hidden can only be longer. So can what was seen
-/// at grazing incidence: beams are far apart there, and the farthest return weakest.
+/// Weighs the seen extent against the prior; what is hidden can only be longer. So can what was
+/// seen at grazing incidence: beams are far apart there, and the farthest return weakest.
 void weigh(Side& side, double prior_mean_m, double prior_sigma_m, double least_m,
            double most_sigma_m) {
   const double prior_variance = prior_sigma_m * prior_sigma_m;
@@ -136,7 +136,8 @@ Detection complete_vehicle(const Outline& outline, const RecognizerOptions& opti
   Oriented o = orient(outline, options);
   weigh(o.length, options.mean_length_m, options.sigma_length_m, options.min_length_m,
         options.max_end_sigma_m);
-  weigh(o.width, options.mean_width_m, options.sigma_width_m, options.min_width_m, options.max_end_sigma_m);
+  weigh(o.width, options.mean_width_m, options.sigma_width_m, options.min_width_m,
+        options.max_end_sigma_m);
   const Eigen::Vector2d origin = Eigen::Vector2d::Zero();
   Detection detection;
   fill_common(outline, detection);

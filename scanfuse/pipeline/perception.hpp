@@ -69,7 +69,9 @@ class Perception {
  public:
   explicit Perception(const PerceptionOptions& options = {});
 
-  /// Valid until the next call. Scans of several sensors may be mixed, in order of time.
+  /// Valid until the next call. Scans of several sensors may be mixed, in order of time. Every
+  /// number given is finite: a scan at an unusable pose (not finite, or past 1e7 m) counts as
+  /// empty, and is noted in `diagnostics`.
   const StepResult& step(const PosedScan& posed) {
     return step(posed, [](Stage) {});
   }
@@ -80,18 +82,21 @@ class Perception {
   /// What the last step saw on its way, in the levelled sensor frame: for reports.
   [[nodiscard]] const VirtualScan& virtual_scan() const { return virtual_scan_; }
   [[nodiscard]] const Clusters& clusters() const { return *clusters_; }
-  [[nodiscard]] Diagnostics diagnostics() const { return tracker_.diagnostics(); }
+  [[nodiscard]] Diagnostics diagnostics() const;
 
  private:
   template <class After>
   void run(const PosedScan& posed, After& after);
   /// Results and virtual scan back to the size of the scene.
   void give_in_scene(const PosedScan& posed);
+  [[nodiscard]] static bool is_placed(const PosedScan& posed);
+  PosedScan left_empty(const PosedScan& posed);
   void straighten(const PosedScan& posed);
   void give_in_world(const PosedScan& posed, std::span<const Detection> detections);
   void give_in_ego();
 
   PerceptionOptions options_;
+  Diagnostics diagnostics_;
   preprocess::VirtualScanBuilder flatten_;
   segment::Segmenter segment_;
   shape::OutlineExtractor outline_;
@@ -104,6 +109,7 @@ class Perception {
 
 template <class After>
 const StepResult& Perception::step(const PosedScan& posed, After&& after) {
+  if (!is_placed(posed)) return step(left_empty(posed), after);
   if (options_.pipeline.scale == 1) {
     run(posed, after);
   } else {

@@ -322,10 +322,12 @@ void VirtualScanBuilder::pick_column(const Scan& scan, std::span<const std::uint
 
 void VirtualScanBuilder::emit(const Scan& scan, const LevelPoint& point, int support) {
   const Return& r = scan.returns[point.source];
+  constexpr float kLongestSweep_s = 60;  // what claims more, or is no number, is not known
+  const float offset = std::abs(r.time_offset_s) < kLongestSweep_s ? r.time_offset_s : 0;
   const float angle = beams_.empty() ? exact_bearing(point.x_m, point.y_m) : point.bearing_rad;
-  virtual_scan_.points.push_back({point.x_m, point.y_m, point.z_m, point.range_m, angle,
-                                  r.time_offset_s, static_cast<std::int32_t>(point.column),
-                                  point.source, static_cast<std::uint8_t>(std::min(support, 255))});
+  virtual_scan_.points.push_back({point.x_m, point.y_m, point.z_m, point.range_m, angle, offset,
+                                  static_cast<std::int32_t>(point.column), point.source,
+                                  static_cast<std::uint8_t>(std::min(support, 255))});
 }
 
 void VirtualScanBuilder::order_by_bearing() {
