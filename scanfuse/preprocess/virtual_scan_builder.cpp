@@ -27,6 +27,58 @@ float quick_bearing(float x, float y) {
   return y < 0 ? -angle : angle;
 }
 
+/// The beam's direction and a small correction where the beam is known: any mounting, no atan2.
+template <class Beams>
+inline float bearing_by_beam(const Beams& beams, float x, float y, std::int32_t beam) {
+  // A negative beam is a huge unsigned one.
+  if (static_cast<std::uint32_t>(beam) >= beams.size()) return quick_bearing(x, y);
+  const auto& b = beams[static_cast<std::uint32_t>(beam)];
+  const float along = b.cosine * x + b.sine * y, across = b.cosine * y - b.sine * x;
+  if (!(std::abs(across) < 0.1F * along)) return quick_bearing(x, y);
+  const float d = across / along;
+  const float angle = b.bearing_rad + d - d * d * d * (1.0F / 3);
+  if (angle >= kTurn / 2) return angle - kTurn;
+  return angle < -kTurn / 2 ? angle + kTurn : angle;
+}
+
+/// Rounds down; the library's function is a call.
+inline std::int32_t floor_of(float value) {
+  const auto truncated = static_cast<std::int32_t>(value);
+  return truncated - (value < static_cast<float>(truncated) ? 1 : 0);
+}
+
+/// Ranges are positive, and the bits of positive floats are in order: by range, then by index.
+inline std::uint64_t key_of(float range_m, std::uint32_t index) {
+  return std::uint64_t{std::bit_cast<std::uint32_t>(range_m)} << 32 | index;
+}
+inline float range_of(std::uint64_t key) {
+  return std::bit_cast<float>(static_cast<std::uint32_t>(key >> 32));
+}
+inline std::uint32_t index_of(std::uint64_t key) { return static_cast<std::uint32_t>(key); }
+
+/// Few-layer scanners have up to four returns of a bearing, in any order: exchanges without jumps,
+/// for a processor cannot guess their outcome.
+inline void sort_keys(std::span<std::uint64_t> keys) {
+  const auto order = [&](std::size_t i, std::size_t j) {
+    const std::uint64_t low = std::min(keys[i], keys[j]), high = std::max(keys[i], keys[j]);
+    keys[i] = low;
+    keys[j] = high;
+  };
+  switch (keys.size()) {
+    case 0:
+    case 1:
+      return;
+    case 2:
+      return order(0, 1);
+    case 3:
+      return order(0, 1), order(1, 2), order(0, 1);
+    case 4:
+      return order(0, 1), order(2, 3), order(0, 2), order(1, 3), order(1, 2);
+    default:
+      std::ranges::sort(keys);
+  }
+}
+
 float exact_bearing(float x, float y) {
   const float angle = std::atan2(y, x);
   return angle >= static_cast<float>(kPi) ? -static_cast<float>(kPi) : angle;
@@ -82,18 +134,6 @@ void VirtualScanBuilder::prepare_columns(const Scan& scan, const Eigen::Matrix3f
   }
 }
 
-/// The beam's direction and a small correction where the beam is known: any mounting, no atan2.
-float VirtualScanBuilder::bearing(float x, float y, std::int32_t beam) const {
-  if (beam < 0 || static_cast<std::size_t>(beam) >= beams_.size()) return quick_bearing(x, y);
-  const BeamDirection& b = beams_[static_cast<std::size_t>(beam)];
-  const float along = b.cosine * x + b.sine * y, across = b.cosine * y - b.sine * x;
-  if (!(std::abs(across) < 0.1F * along)) return quick_bearing(x, y);
-  const float d = across / along;
-  const float angle = b.bearing_rad + d - d * d * d * (1.0F / 3);
-  if (angle >= kTurn / 2) return angle - kTurn;
-  return angle < -kTurn / 2 ? angle + kTurn : angle;
-}
-
 void VirtualScanBuilder::project(const Scan& scan, const Eigen::Matrix3f& rotation) {
   const bool turned = !rotation.isIdentity(0);
   const auto near2 = static_cast<float>(options_.range_min_m * options_.range_min_m);
@@ -102,9 +142,10 @@ void VirtualScanBuilder::project(const Scan& scan, const Eigen::Matrix3f& rotati
              x_max = static_cast<float>(options_.x_max_m);
   const auto y_min = static_cast<float>(options_.y_min_m),
              y_max = static_cast<float>(options_.y_max_m);
-  points_.clear();
-  lowest_layer_ = 32767;
-  std::int16_t highest = -32768;
+  const std::span<const BeamDirection> beams(beams_);
+  std::int16_t lowest = 32767, highest = -32768;
+  points_.resize(scan.returns.size());
+  std::size_t kept = 0;
   for (std::uint32_t i = 0; i < scan.returns.size(); ++i) {
     const Return& r = scan.returns[i];
     Eigen::Vector3f p(r.x_m, r.y_m, r.z_m);
@@ -113,11 +154,14 @@ void VirtualScanBuilder::project(const Scan& scan, const Eigen::Matrix3f& rotati
     const bool inside = range2 >= near2 && range2 <= far2 && range2 > 0 && p.x() >= x_min &&
                         p.x() <= x_max && p.y() >= y_min && p.y() <= y_max && std::isfinite(p.z());
     if (!inside) continue;
-    points_.push_back(
-        {p.x(), p.y(), p.z(), std::sqrt(range2), bearing(p.x(), p.y(), r.beam), i, 0, r.layer});
-    lowest_layer_ = std::min(lowest_layer_, r.layer);
+    points_[kept++] = {
+        p.x(), p.y(), p.z(),  std::sqrt(range2), bearing_by_beam(beams, p.x(), p.y(), r.beam),
+        i,     0,     r.layer};
+    lowest = std::min(lowest, r.layer);
     highest = std::max(highest, r.layer);
   }
+  points_.resize(kept);
+  lowest_layer_ = lowest;
   if (scan.beams && scan.beams->layers > 1) {
     lowest_layer_ = 0;
     highest = std::max(highest, static_cast<std::int16_t>(std::min(scan.beams->layers - 1, 32767)));
@@ -178,7 +222,7 @@ double VirtualScanBuilder::choose_step(const Scan& scan) {
   if (steps_.empty()) return kUsual;
   const auto middle = steps_.begin() + static_cast<std::ptrdiff_t>(steps_.size() / 2);
   std::nth_element(steps_.begin(), middle, steps_.end());
-  return std::clamp<double>(*middle, radians(cloud ? 0.25 : 0.1), radians(1));
+  return std::clamp<double>(*middle, radians(cloud ? 0.2 : 0.1), radians(1));
 }
 
 void VirtualScanBuilder::sort_into_columns(const Scan& scan) {
@@ -191,8 +235,8 @@ void VirtualScanBuilder::sort_into_columns(const Scan& scan) {
   const auto shift = static_cast<float>((before - std::floor(before)) * step);
   ends_.assign(columns + 1, 0);
   for (LevelPoint& p : points_) {
-    const auto column = static_cast<std::int32_t>(
-        std::floor((p.bearing_rad + static_cast<float>(kPi) - shift) * per_step) + 1);
+    const std::int32_t column =
+        floor_of((p.bearing_rad + static_cast<float>(kPi) - shift) * per_step) + 1;
     p.column =
         static_cast<std::uint32_t>(std::clamp(column, 0, static_cast<std::int32_t>(columns)));
     ++ends_[p.column];
@@ -204,16 +248,18 @@ void VirtualScanBuilder::sort_into_columns(const Scan& scan) {
     sum += count;
   }
   order_.resize(points_.size());
-  for (std::uint32_t i = 0; i < points_.size(); ++i) order_[ends_[points_[i].column]++] = i;
+  for (std::uint32_t i = 0; i < points_.size(); ++i) {
+    order_[ends_[points_[i].column]++] = key_of(points_[i].range_m, i);
+  }
 }
 
-int VirtualScanBuilder::support_of(std::span<const std::uint32_t> column, std::size_t i) const {
-  const LevelPoint& first = points_[column[i]];
-  const float reach = first.range_m + static_cast<float>(options_.support_m);
-  std::uint64_t layers = 1ULL << (first.layer & 63);
-  int count = 1;
-  for (std::size_t j = i + 1; j < column.size() && points_[column[j]].range_m <= reach; ++j) {
-    layers |= 1ULL << (points_[column[j]].layer & 63);
+int VirtualScanBuilder::support_of(std::span<const std::uint64_t> column) const {
+  const float reach = range_of(column[0]) + static_cast<float>(options_.support_m);
+  std::uint64_t layers = 0;
+  int count = 0;
+  for (const std::uint64_t key : column) {
+    if (range_of(key) > reach) break;
+    layers |= 1ULL << (points_[index_of(key)].layer & 63);
     ++count;
   }
   return layered_ ? std::popcount(layers) : count;
@@ -227,10 +273,6 @@ bool VirtualScanBuilder::is_lonely_ground(const LevelPoint& point, GroundMethod 
 }
 
 void VirtualScanBuilder::pick_points(const Scan& scan, GroundMethod method) {
-  const auto nearer = [this](std::uint32_t a, std::uint32_t b) {
-    const float ra = points_[a].range_m, rb = points_[b].range_m;
-    return ra < rb || (ra == rb && a < b);
-  };
   const bool one_layer = !layered_ && method != GroundMethod::kGrid;
   const bool seen_over = !scan.beams || method == GroundMethod::kGrid;
   most_per_bearing_ = options_.points_per_bearing > 0 ? options_.points_per_bearing
@@ -240,9 +282,9 @@ void VirtualScanBuilder::pick_points(const Scan& scan, GroundMethod method) {
     const auto column = std::span(order_).subspan(begin, end - begin);
     begin = end;
     if (column.empty()) continue;
-    if (column.size() > 1) std::ranges::sort(column, nearer);
+    sort_keys(column);
     if (one_layer && most_per_bearing_ == 1) {
-      emit(scan, points_[column.front()], 1);
+      emit(scan, points_[index_of(column.front())], 1);
     } else {
       pick_column(scan, column, method);
     }
@@ -251,17 +293,17 @@ void VirtualScanBuilder::pick_points(const Scan& scan, GroundMethod method) {
 
 /// `column`: the returns of one bearing by range. What lies behind a gap of separation_m may be
 /// another object; of each such group the nearest supported return is kept.
-void VirtualScanBuilder::pick_column(const Scan& scan, std::span<const std::uint32_t> column,
+void VirtualScanBuilder::pick_column(const Scan& scan, std::span<const std::uint64_t> column,
                                      GroundMethod method) {
   const auto separation = static_cast<float>(options_.separation_m);
   const LevelPoint* lonely = nullptr;
   int kept = 0;
   bool group_done = false;
   for (std::size_t i = 0; i < column.size() && kept < most_per_bearing_; ++i) {
-    const LevelPoint& p = points_[column[i]];
-    if (i > 0 && p.range_m - points_[column[i - 1]].range_m > separation) group_done = false;
+    if (i > 0 && range_of(column[i]) - range_of(column[i - 1]) > separation) group_done = false;
     if (group_done) continue;
-    const int support = support_of(column, i);
+    const LevelPoint& p = points_[index_of(column[i])];
+    const int support = support_of(column.subspan(i));
     if (support > 1) {
       emit(scan, p, support);
       ++kept;
@@ -302,7 +344,7 @@ void VirtualScanBuilder::drop_lonely() {
     const PlanarPoint& p = points[i];
     keep_[i] |= p.support > 1;
     for (std::size_t k = 1; k <= kBeside && k < n; ++k) {
-      const std::size_t j = (i + k) % n;
+      const std::size_t j = i + k < n ? i + k : i + k - n;
       const PlanarPoint& q = points[j];
       const float reach = base + slope * p.range_m;
       const float dx = p.x_m - q.x_m, dy = p.y_m - q.y_m;

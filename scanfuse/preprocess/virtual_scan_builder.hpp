@@ -32,15 +32,14 @@ class VirtualScanBuilder {
  private:
   void project(const Scan& scan, const Eigen::Matrix3f& rotation);
   void prepare_columns(const Scan& scan, const Eigen::Matrix3f& rotation);
-  [[nodiscard]] float bearing(float x, float y, std::int32_t beam) const;
   [[nodiscard]] GroundMethod ground_method(const Scan& scan) const;
   void remove_ground(GroundMethod method, std::optional<double> sensor_height_m);
   void set_view();
   [[nodiscard]] double choose_step(const Scan& scan);
   void sort_into_columns(const Scan& scan);
   void pick_points(const Scan& scan, GroundMethod method);
-  [[nodiscard]] int support_of(std::span<const std::uint32_t> column, std::size_t i) const;
-  void pick_column(const Scan& scan, std::span<const std::uint32_t> column, GroundMethod method);
+  [[nodiscard]] int support_of(std::span<const std::uint64_t> column) const;
+  void pick_column(const Scan& scan, std::span<const std::uint64_t> column, GroundMethod method);
   [[nodiscard]] bool is_lonely_ground(const LevelPoint& point, GroundMethod method) const;
   void emit(const Scan& scan, const LevelPoint& point, int support);
   void order_by_bearing();
@@ -61,7 +60,7 @@ class VirtualScanBuilder {
   double beams_step_rad_ = 0;
   std::vector<float> steps_;
   std::vector<std::uint32_t> ends_;   ///< of each column in `order_`
-  std::vector<std::uint32_t> order_;  ///< points by column, by range within
+  std::vector<std::uint64_t> order_;  ///< points by column, by range within: range and index
   std::vector<std::uint8_t> keep_;
   std::int16_t lowest_layer_ = 0;
   bool layered_ = false;
