@@ -225,7 +225,7 @@ double VirtualScanBuilder::choose_step(const Scan& scan) {
   if (steps_.empty()) return kUsual;
   const auto middle = steps_.begin() + static_cast<std::ptrdiff_t>(steps_.size() / 2);
   std::nth_element(steps_.begin(), middle, steps_.end());
-  return std::clamp<double>(*middle, radians(cloud ? 0.25 : 0.1), radians(1));
+  return std::clamp<double>(*middle, radians(cloud ? 0.2 : 0.1), radians(1));
 }
 
 void VirtualScanBuilder::sort_into_columns(const Scan& scan) {
