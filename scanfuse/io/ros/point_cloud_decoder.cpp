@@ -238,7 +238,8 @@ DecodedMessage decode_point_cloud(WireReader& reader) {
     for (std::uint32_t column = 0; column < cloud.width; ++column) {
       const std::byte* point = begin + std::size_t{column} * cloud.point_step;
       if (cloud.beam) {  // beams without a return count: they tell how wide the view is
-        columns = std::max(columns, whole_at<std::int32_t>(cloud, cloud.beam, point, 0, 0) + std::int64_t{1});
+        columns = std::max(
+            columns, whole_at<std::int32_t>(cloud, cloud.beam, point, 0, 0) + std::int64_t{1});
         layers = std::max(layers, whole_at<std::int16_t>(cloud, cloud.layer, point, 0, 0) + 1);
       }
       const auto echo = return_at(cloud, point, row);
