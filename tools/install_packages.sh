@@ -9,6 +9,7 @@ build="g++ cmake ninja-build ccache mold libeigen3-dev libfmt-dev libexpected-de
 test="libgtest-dev libgmock-dev librapidcheck-dev clang-19 clang-tidy-19 clang-format-19
   libclang-rt-19-dev python3 git chromium nodejs"
 bench="libbenchmark-dev"
+[ -z "${SCANFUSE_PEERS:-}" ] || bench+=" libpcl-dev"  # big; only to compare with
 
 wanted=""
 for group in "$@"; do

@@ -37,8 +37,7 @@ class Rows {
     BenchRow row{scenario_ + " " + name, value, unit, {}, {}, true};
     if (goal) {
       row.target = goal->value;
-      row.met =
-          goal->sense == Goal::Sense::kAtLeast ? value >= goal->value : value <= goal->value;
+      row.met = goal->sense == Goal::Sense::kAtLeast ? value >= goal->value : value <= goal->value;
     }
     rows_.push_back(std::move(row));
   }
@@ -72,15 +71,13 @@ std::vector<BenchRow> rows_of(int scenario, const std::vector<TrackTrial>& trial
   rows.add("median NEES, lower bound", nees, "", at_least(2));
   rows.add("false tracks per frame", mean([](T t) { return t.score.ghosts_per_frame; }), "",
            at_most(0.1));
-  rows.add("recall",
-           mean([](T t) -> std::optional<double> {
+  rows.add("recall", mean([](T t) -> std::optional<double> {
              const auto& c = t.score.clear;
              return static_cast<double>(c.true_positives) /
                     static_cast<double>(c.true_positives + c.false_negatives);
            }),
            "");
-  rows.add("heading RMSE mod pi", mean([](T t) { return t.score.rmse.heading_mod_pi_rad; }),
-           "rad");
+  rows.add("heading RMSE mod pi", mean([](T t) { return t.score.rmse.heading_mod_pi_rad; }), "rad");
   if (scenario == 2) {
     rows.add("target 1 keeps its identity through frames 62 to 74",
              mean([](T t) -> std::optional<double> { return t.identity_kept ? 1 : 0; }), "share",

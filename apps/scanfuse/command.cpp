@@ -3,11 +3,31 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <csignal>
 #include <cstdio>
+#include <filesystem>
 
 namespace scanfuse::app {
 
+Result<void> refuse_to_replace(const std::string& input, const std::string& output) {
+  std::error_code missing;
+  if (!std::filesystem::equivalent(input, output, missing)) return {};
+  return fail(Error::Code::kUnsupported, "{}: is the input; write to another file", output);
+}
+
 std::atomic<bool> interrupted{false};
+
+extern "C" {
+static void ask_to_stop(int signal) {
+  interrupted = true;
+  std::signal(signal, SIG_DFL);
+}
+}
+
+void catch_interrupts() {
+  std::signal(SIGINT, ask_to_stop);
+  std::signal(SIGTERM, ask_to_stop);
+}
 
 int report_error(const Error& error) {
   fmt::print(stderr, "scanfuse: error: {}\n", error.message);

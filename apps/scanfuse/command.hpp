@@ -10,7 +10,13 @@
 namespace scanfuse::app {
 
 /// Exit codes scripts rely on.
-enum ExitCode { kDone = 0, kInternalFault = 1, kBadInput = 2, kDamagedInput = 3, kInterrupted = 130 };
+enum ExitCode {
+  kDone = 0,
+  kInternalFault = 1,
+  kBadInput = 2,
+  kDamagedInput = 3,
+  kInterrupted = 130
+};
 
 /// What every command takes: --quiet, --seed, --threads, --json where a script would read it.
 struct CommonOptions {
@@ -39,10 +45,17 @@ int report_error(const Error& error);
 /// Prints what was odd, one line each, on stderr; kDamagedInput when input was lost, else kDone.
 int report_diagnostics(const Diagnostics& diagnostics, bool quiet);
 
+/// An error when writing `output` would replace `input`.
+[[nodiscard]] Result<void> refuse_to_replace(const std::string& input, const std::string& output);
+
 /// Set by Ctrl-C; loops look at it between scans, finish what they wrote and return kInterrupted.
 extern std::atomic<bool> interrupted;
+/// For commands with such a loop: the first Ctrl-C (or SIGTERM) sets `interrupted`, the second ends
+/// the tool. Other commands end at the first, as is usual.
+void catch_interrupts();
 
-/// A line on stderr that is redrawn while work goes on; silent when stderr is no terminal or --quiet.
+/// A line on stderr that is redrawn while work goes on; silent when stderr is no terminal or
+/// --quiet.
 class Progress {
  public:
   Progress(std::string label, bool quiet);

@@ -101,6 +101,10 @@ Result<int> copy_events(const ConvertOptions& options, bool quiet) {
   if (!open.topics.empty() && !options.ego_topic.empty()) open.topics.push_back(options.ego_topic);
   auto reader = io::open_recording(options.input, open);
   if (!reader) return tl::unexpected(reader.error());
+  for (const auto& path : {options.output, options.ego_out, options.truth_out}) {
+    if (auto fine = refuse_to_replace(options.input, path); !fine)
+      return tl::unexpected(fine.error());
+  }
   auto sink = open_sink(options.output);
   if (!sink) return tl::unexpected(sink.error());
   SideTables tables;
@@ -132,6 +136,7 @@ Result<int> copy_events(const ConvertOptions& options, bool quiet) {
 }
 
 int run_convert(const ConvertOptions& options, bool quiet) {
+  catch_interrupts();
   const auto code = copy_events(options, quiet);
   return code ? *code : report_error(code.error());
 }

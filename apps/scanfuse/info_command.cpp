@@ -126,6 +126,7 @@ void print_table(const RecordingSummary& summary) {
 }
 
 int run_info(const InfoOptions& options, bool quiet) {
+  catch_interrupts();
   const auto summary = summarise(options, quiet);
   if (!summary) return report_error(summary.error());
   options.json ? print_json(*summary) : print_table(*summary);

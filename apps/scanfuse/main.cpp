@@ -1,10 +1,53 @@
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <exception>
 
 #include "command.hpp"
+#include "scanfuse/core/options.hpp"
 
 namespace {
+
+/// What was typed but is not known, with the nearest name that is.
+void report_unknown(const CLI::App& app, const std::string& word) {
+  const CLI::App* command = nullptr;
+  std::vector<std::string> commands, options;
+  for (const CLI::App* sub : app.get_subcommands({})) {
+    commands.push_back(sub->get_name());
+    if (sub->parsed()) command = sub;
+  }
+  for (const CLI::App* of : {&app, command}) {
+    if (of == nullptr) continue;
+    for (const CLI::Option* option : of->get_options()) {
+      for (const auto& name : option->get_lnames()) options.push_back("--" + name);
+    }
+  }
+  const bool is_option = word.starts_with("-");
+  const auto& known = is_option || command != nullptr ? options : commands;
+  const std::string help = command != nullptr ? command->get_name() + " --help" : "--help";
+  if (is_option || command == nullptr) {
+    fmt::print(stderr, "scanfuse: error: unknown {} '{}'; did you mean '{}'? See scanfuse {}\n",
+               is_option ? "option" : "command", word,
+               scanfuse::nearest_name(word.substr(0, word.find('=')), known), help);
+  } else {
+    fmt::print(stderr, "scanfuse: error: '{}' is one argument too many; see scanfuse {}\n", word,
+               help);
+  }
+}
+
+/// CLI11 says what is missing or wrong; what is unknown we say ourselves.
+int report_usage(const CLI::App& app, const CLI::ParseError& error) {
+  const auto unknown = app.remaining(true);
+  if (!unknown.empty()) {
+    const auto option = std::ranges::find_if(unknown, [](auto& w) { return w.starts_with("-"); });
+    report_unknown(app, option != unknown.end() ? *option : unknown.front());
+  } else {
+    const auto parsed = app.get_subcommands();
+    fmt::print(stderr, "scanfuse: error: {}; see scanfuse {}--help\n", error.what(),
+               parsed.empty() ? "" : parsed.front()->get_name() + " ");
+  }
+  return scanfuse::app::kBadInput;
+}
 
 int run(int argc, char** argv) {
   using namespace scanfuse::app;
@@ -35,8 +78,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& success) {
     return app.exit(success);
   } catch (const CLI::ParseError& error) {
-    app.exit(error);
-    return kBadInput;
+    return report_usage(app, error);
   }
   return exit_code;
 }
@@ -44,8 +86,6 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::signal(SIGINT, [](int) { scanfuse::app::interrupted = true; });
-  std::signal(SIGTERM, [](int) { scanfuse::app::interrupted = true; });
   std::signal(SIGPIPE, SIG_IGN);
   try {
     return run(argc, argv);

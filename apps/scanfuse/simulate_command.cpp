@@ -174,6 +174,7 @@ Result<SimulateOptions> simulate_options(const SimulateCommand& command) {
 }
 
 int run_simulate(const SimulateCommand& command, const CommonOptions& common) {
+  catch_interrupts();
   const auto options = simulate_options(command);
   if (!options) return report_error(options.error());
   auto simulation = Simulation::create(command.scenario, common.seed, *options);

@@ -13,16 +13,16 @@ nlohmann::json as_json(const TrackRequest& request, const TrackOutcome& outcome)
   for (const auto& [what, entry] : outcome.diagnostics.entries()) {
     diagnostics[what] = {{"count", entry.count}, {"first", entry.first}, {"damage", entry.damage}};
   }
-  nlohmann::json json{{"input", request.input},
-                      {"scans", outcome.scans},
-                      {"returns", outcome.returns},
-                      {"detections", outcome.detections},
-                      {"confirmed_tracks", outcome.tracks},
-                      {"seconds_per_scan",
-                       {{"median", outcome.median_scan_s}, {"p99", outcome.p99_scan_s}}},
-                      {"interrupted", outcome.stopped},
-                      {"outputs", request.outputs},
-                      {"diagnostics", diagnostics}};
+  nlohmann::json json{
+      {"input", request.input},
+      {"scans", outcome.scans},
+      {"returns", outcome.returns},
+      {"detections", outcome.detections},
+      {"confirmed_tracks", outcome.tracks},
+      {"seconds_per_scan", {{"median", outcome.median_scan_s}, {"p99", outcome.p99_scan_s}}},
+      {"interrupted", outcome.stopped},
+      {"outputs", request.outputs},
+      {"diagnostics", diagnostics}};
   if (outcome.score) json["evaluation"] = nlohmann::json::parse(to_json(*outcome.score));
   return json;
 }
@@ -44,13 +44,15 @@ void print_summary(const TrackRequest& request, const TrackOutcome& outcome) {
 }
 
 int run(const TrackRequest& request, const CommonOptions& common) {
+  catch_interrupts();
   const bool table = io::table_kind(request.input) == io::TableKind::kDetections;
   const auto outcome =
       table ? run_track_on_detections(request, common) : run_track(request, common);
   if (!outcome) return report_error(outcome.error());
   if (request.json) {
-    fmt::print("{}\n", as_json(request, *outcome).dump(2, ' ', false,
-                                                       nlohmann::json::error_handler_t::replace));
+    fmt::print(
+        "{}\n",
+        as_json(request, *outcome).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
   } else {
     print_summary(request, *outcome);
   }
@@ -70,8 +72,9 @@ void add_track(Tool& tool) {
       ->allow_extra_args(false);
   app->add_option("--detections", request->detections, "Write the detections too, as CSV");
   app->add_option("--report", request->report, "Write a page to look at, as HTML");
-  app->add_option("--preset", request->preset,
-                  fmt::format("Options to start from: {}", fmt::join(pipeline::preset_names(), ", ")))
+  app->add_option(
+         "--preset", request->preset,
+         fmt::format("Options to start from: {}", fmt::join(pipeline::preset_names(), ", ")))
       ->capture_default_str();
   app->add_option("--config", request->config, "Options from a TOML file");
   app->add_option("--set", request->set, "Change an option: section.option=value")

@@ -35,8 +35,8 @@ Rows metric_rows(const evaluate::Evaluation& score) {
 Rows diagnostic_rows(const Diagnostics& diagnostics) {
   Rows rows;
   for (const auto& [what, entry] : diagnostics.entries()) {
-    rows.emplace_back(what, fmt::format("{}{}{}", entry.count, entry.first.empty() ? "" : ", first: ",
-                                        entry.first));
+    rows.emplace_back(what, fmt::format("{}{}{}", entry.count,
+                                        entry.first.empty() ? "" : ", first: ", entry.first));
   }
   return rows;
 }
@@ -61,6 +61,12 @@ std::filesystem::path beside(const std::string& result) {
 
 Result<TrackOutputs> TrackOutputs::open(const TrackRequest& request) {
   TrackOutputs outputs;
+  auto paths = request.outputs;
+  paths.insert(paths.end(), {request.detections, request.report});
+  for (const auto& path : paths) {
+    if (auto fine = refuse_to_replace(request.input, path); !fine)
+      return tl::unexpected(fine.error());
+  }
   for (const auto& path : request.outputs) {
     auto writer = io::open_result_writer(path);
     if (!writer) return tl::unexpected(writer.error());
@@ -133,9 +139,9 @@ Rows summary_rows(const TrackOutcome& outcome) {
                       fmt::format("{:.1f} s", to_seconds(*outcome.last - *outcome.first)));
   }
   if (outcome.scans > 0) {
-    rows.emplace_back("time per scan", fmt::format("median {:.0f} us, 99 % {:.0f} us",
-                                                   1e6 * outcome.median_scan_s,
-                                                   1e6 * outcome.p99_scan_s));
+    rows.emplace_back("time per scan",
+                      fmt::format("median {:.0f} us, 99 % {:.0f} us", 1e6 * outcome.median_scan_s,
+                                  1e6 * outcome.p99_scan_s));
   }
   return rows;
 }

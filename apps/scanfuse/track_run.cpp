@@ -68,8 +68,9 @@ Result<pipeline::ScanFeed> open_feed(const TrackRequest& request) {
   if (!request.ego_topic.empty()) wanted.push_back(request.ego_topic);
   for (const auto& topic : wanted) {
     if (std::find(known.begin(), known.end(), topic) == known.end() && !known.empty()) {
-      return fail(Error::Code::kNotFound, "{}: no topic '{}'; did you mean '{}'? `scanfuse info` "
-                                          "lists them",
+      return fail(Error::Code::kNotFound,
+                  "{}: no topic '{}'; did you mean '{}'? `scanfuse info` "
+                  "lists them",
                   request.input, topic, nearest_name(topic, known));
     }
   }
@@ -120,8 +121,8 @@ Result<void> track_all(const TrackRequest& request, pipeline::ScanFeed& feed,
     const auto took = std::chrono::steady_clock::now() - before;
     tally.add(step, (*posed)->scan.returns.size(), to_seconds(took));
     scoring.add(step);
-    if (auto done = outputs.write(step, (*posed)->scan, &perception.virtual_scan(),
-                                  &perception.clusters());
+    if (auto done =
+            outputs.write(step, (*posed)->scan, &perception.virtual_scan(), &perception.clusters());
         !done) {
       return done;
     }
@@ -173,7 +174,7 @@ Result<TrackOutcome> run_track(const TrackRequest& request, const CommonOptions&
   outcome.stopped = interrupted;
   outcome.diagnostics = feed->diagnostics();
   outcome.diagnostics.merge(perception.diagnostics());
-  if (outcome.scans == 0) {
+  if (outcome.scans == 0 && !outcome.stopped) {
     return fail(Error::Code::kNotFound,
                 "{}: no scan in it that scanfuse can read; `scanfuse info` lists what is there",
                 request.input);

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "scanfuse/core/assignment.hpp"
+
 /// Who belongs to whom. Sees only numbers: rows, columns, costs.
 namespace scanfuse::associate {
 
@@ -51,5 +53,37 @@ constexpr auto choices(Method) {
 
 [[nodiscard]] Assignment associate(Method method, int tracks, int detections,
                                    std::span<const Candidate> candidates, double unassigned_cost);
+
+/// The three of them with memory that is kept from scan to scan: grown once, nothing is allocated.
+class Associator {
+ public:
+  /// Valid until the next call.
+  const Assignment& operator()(Method method, int tracks, int detections,
+                               std::span<const Candidate> candidates, double unassigned_cost);
+
+ private:
+  struct Edge {
+    int component;
+    Candidate pair;
+  };
+  void global(std::span<const Candidate> candidates, double unassigned_cost);
+  void nearest(std::span<const Candidate> candidates, double unassigned_cost);
+  void detection_greedy(std::span<const Candidate> candidates, double unassigned_cost);
+  void sort_edges(std::span<const Candidate> candidates, double unassigned_cost);
+  int root(int node);
+  void join_nodes(int a, int b);
+  void solve_component(std::span<const Edge> edges, double unassigned_cost);
+  void solve_star(std::span<const Edge> edges);
+  void pair(int track, int detection);
+
+  Assignment assignment_;
+  std::vector<Candidate> sorted_;
+  std::vector<int>
+      parents_;  ///< union-find over tracks (0 .. tracks - 1) and detections (tracks ..)
+  std::vector<Edge> edges_;
+  std::vector<int> rows_, columns_;  ///< of a component: its tracks, its detections
+  std::vector<double> costs_;
+  AssignmentSolver solve_;
+};
 
 }  // namespace scanfuse::associate

@@ -16,6 +16,11 @@ class PositionGrid {
   explicit PositionGrid(double cell_m) : cell_m_(cell_m) {}
 
   void clear() { entries_.clear(); }
+  /// Empties the grid, keeping its memory, and gives its cells another size.
+  void reset(double cell_m) {
+    cell_m_ = cell_m;
+    entries_.clear();
+  }
   void add(const Eigen::Vector2d& position_m, int index) {
     entries_.emplace_back(key(cell(position_m.x()), cell(position_m.y())), index);
   }

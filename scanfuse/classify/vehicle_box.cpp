@@ -16,10 +16,13 @@ struct Side {
   bool seen = false;
 };
 
-/// Weighs the seen extent against the prior; what is hidden can only be longer.
-void weigh(Side& side, double prior_mean_m, double prior_sigma_m, double least_m) {
+/// Weighs the seen extent against the prior; what is hidden can only be longer. So can what was
+/// seen at grazing incidence: beams are far apart there, and the farthest return weakest.
+void weigh(Side& side, double prior_mean_m, double prior_sigma_m, double least_m,
+           double most_sigma_m) {
   const double prior_variance = prior_sigma_m * prior_sigma_m;
-  side.seen = side.free_ends && side.seen_m >= least_m;
+  const bool sharp = side.var_seen_m2 <= most_sigma_m * most_sigma_m;
+  side.seen = side.free_ends && sharp && side.seen_m >= least_m;
   if (!side.seen) {
     side.mean_m = std::max(prior_mean_m, side.seen_m);
     side.variance_m2 = prior_variance;
@@ -131,8 +134,10 @@ void fill_common(const Outline& outline, Detection& detection) {
 
 Detection complete_vehicle(const Outline& outline, const RecognizerOptions& options) {
   Oriented o = orient(outline, options);
-  weigh(o.length, options.mean_length_m, options.sigma_length_m, options.min_length_m);
-  weigh(o.width, options.mean_width_m, options.sigma_width_m, options.min_width_m);
+  weigh(o.length, options.mean_length_m, options.sigma_length_m, options.min_length_m,
+        options.max_end_sigma_m);
+  weigh(o.width, options.mean_width_m, options.sigma_width_m, options.min_width_m,
+        options.max_end_sigma_m);
   const Eigen::Vector2d origin = Eigen::Vector2d::Zero();
   Detection detection;
   fill_common(outline, detection);

@@ -37,9 +37,10 @@ struct RecognizerOptions {
   double both_cut_score = 0.7;
   double size_slack_m = 0.4;
   double mean_length_m = 4.4;
-  double sigma_length_m = 0.45;
+  double sigma_length_m = 0.4;
   double mean_width_m = 1.8;
   double sigma_width_m = 0.12;
+  double max_end_sigma_m = 0.15;
   double min_inlier_share = 0.85;
   double min_coverage = 0.85;
   double right_angle_tolerance_rad = 0.35;
@@ -67,6 +68,8 @@ struct RecognizerOptions {
         Field{"sigma_length_m", &O::sigma_length_m, 0.0, 100.0, "its standard deviation"},
         Field{"mean_width_m", &O::mean_width_m, 0.0, 100.0, "width where it is not seen"},
         Field{"sigma_width_m", &O::sigma_width_m, 0.0, 100.0, "its standard deviation"},
+        Field{"max_end_sigma_m", &O::max_end_sigma_m, 0.0, 100.0,
+              "a side whose ends are less certain, seen at grazing incidence, is a lower bound"},
         Field{"min_inlier_share", &O::min_inlier_share, 0.0, 1.0,
               "of the points on straight faces: bushes have less"},
         Field{"min_coverage", &O::min_coverage, 0.0, 1.0,

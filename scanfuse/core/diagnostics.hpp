@@ -7,14 +7,14 @@
 
 namespace scanfuse {
 
-/// Odd but survivable events, counted and never silent: bad points skipped, clock jumps, damaged chunks.
-/// Ordered by name, so that printing it is deterministic.
+/// Odd but survivable events, counted and never silent: bad points skipped, clock jumps, damaged
+/// chunks. Ordered by name, so that printing it is deterministic.
 class Diagnostics {
  public:
   struct Entry {
     std::int64_t count = 0;
-    std::string first;     ///< where it happened first, in words
-    bool damage = false;   ///< part of the input was lost: the command ends with exit code 3
+    std::string first;    ///< where it happened first, in words
+    bool damage = false;  ///< part of the input was lost: the command ends with exit code 3
   };
 
   /// Counts an oddity that lost nothing ("ego pose extrapolated").
@@ -26,7 +26,9 @@ class Diagnostics {
   [[nodiscard]] bool empty() const { return entries_.empty(); }
   [[nodiscard]] bool any_damage() const;
   [[nodiscard]] std::int64_t count(std::string_view what) const;
-  [[nodiscard]] const std::map<std::string, Entry, std::less<>>& entries() const { return entries_; }
+  [[nodiscard]] const std::map<std::string, Entry, std::less<>>& entries() const {
+    return entries_;
+  }
 
  private:
   Entry& entry(std::string_view what, std::string_view where, std::int64_t times);

@@ -19,16 +19,16 @@ namespace scanfuse {
 template <class Owner, class T>
 struct Field {
   std::string_view name;
-  T Owner::*member;
+  T Owner::* member;
   T low{};
   T high{};
   std::string_view doc;
 
-  constexpr Field(std::string_view n, T Owner::*m, std::type_identity_t<T> l,
+  constexpr Field(std::string_view n, T Owner::* m, std::type_identity_t<T> l,
                   std::type_identity_t<T> h, std::string_view d)
     requires std::is_arithmetic_v<T>
       : name(n), member(m), low(l), high(h), doc(d) {}
-  constexpr Field(std::string_view n, T Owner::*m, std::string_view d)
+  constexpr Field(std::string_view n, T Owner::* m, std::string_view d)
       : name(n), member(m), doc(d) {}
 };
 
@@ -45,7 +45,7 @@ struct OptionView {
   std::string fallback;  ///< the default, in the same form
   std::string range;     ///< "0.01 .. 10", "pag | euclidean", "true | false", or empty
   std::string doc;
-  bool quoted = false;   ///< text or a choice: TOML puts it in quotes
+  bool quoted = false;  ///< text or a choice: TOML puts it in quotes
 };
 
 namespace detail {

@@ -19,7 +19,8 @@ struct Error {
 template <class T>
 using Result = tl::expected<T, Error>;
 
-/// Builds the failed side of a Result: `return fail(Error::Code::kNotFound, "{}: no such file", path);`
+/// Builds the failed side of a Result: `return fail(Error::Code::kNotFound, "{}: no such file",
+/// path);`
 template <class... Args>
 [[nodiscard]] tl::unexpected<Error> fail(Error::Code code, fmt::format_string<Args...> text,
                                          Args&&... args) {

@@ -29,7 +29,7 @@ struct TopicInfo {
 
 struct RecordingInfo {
   std::filesystem::path path;
-  std::string format;       ///< "mcap", "rosbag1", "rosbag2", "carmen", "pcd", "kitti", "csv points"
+  std::string format;  ///< "mcap", "rosbag1", "rosbag2", "carmen", "pcd", "kitti", "csv points"
   std::string compression;  ///< "none", "lz4", "zstd, none", ...
   std::vector<TopicInfo> topics;
   std::optional<Time> start;  ///< of the first message

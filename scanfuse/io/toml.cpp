@@ -24,7 +24,8 @@ class TomlCollector {
       const std::string key_text(key.str());
       if (const auto* inner = node.as_table()) {
         if (depth >= kDeepestToml) return wrong(node, "tables nested too deep");
-        const std::string path = section.empty() ? key_text : section + "." + key_text;
+        const std::string path =
+            section.empty() ? key_text : fmt::format("{}.{}", section, key_text);
         if (auto taken = take_table(*inner, path, depth + 1); !taken) return taken;
       } else if (auto taken = take_value(section, key_text, key, node); !taken) {
         return taken;

@@ -1,8 +1,27 @@
 #include "scanfuse/pipeline/perception.hpp"
 
-#include "scanfuse/pipeline/scaled.hpp"
+#include <cmath>
+#include <string>
 
 namespace scanfuse::pipeline {
+namespace {
+
+constexpr double kFarthestPose_m = 1e7;  // beyond it millimetres are lost, and it is no odometry
+constexpr double kFastestEgo = 1e3;      // m/s, rad/s
+
+bool is_near(const Pose3& pose) {
+  return pose.translation_m.allFinite() &&
+         pose.translation_m.cwiseAbs().maxCoeff() < kFarthestPose_m &&
+         pose.rotation.coeffs().allFinite();
+}
+
+bool is_likely(const PoseBuffer::Twist& twist) {
+  return std::abs(twist.speed_m_per_s) < kFastestEgo &&
+         std::abs(twist.lateral_m_per_s) < kFastestEgo &&
+         std::abs(twist.yaw_rate_rad_per_s) < kFastestEgo;
+}
+
+}  // namespace
 
 Perception::Perception(const PerceptionOptions& options)
     : options_(options),
@@ -11,16 +30,6 @@ Perception::Perception(const PerceptionOptions& options)
       outline_(options.shape),
       recognize_(options.classify),
       tracker_(options.track) {}
-
-const StepResult& Perception::step(const PosedScan& posed) {
-  if (options_.pipeline.scale == 1) {
-    run(posed);
-  } else {
-    run(scaled(posed, 1 / options_.pipeline.scale));
-    give_in_scene(posed);
-  }
-  return result_;
-}
 
 void Perception::give_in_scene(const PosedScan& posed) {
   const double scale = options_.pipeline.scale;
@@ -31,21 +40,33 @@ void Perception::give_in_scene(const PosedScan& posed) {
   virtual_scan_ = scaled(std::move(virtual_scan_), scale);
 }
 
-void Perception::run(const PosedScan& posed) {
-  virtual_scan_ = flatten_(posed.scan, posed.ego_from_sensor);
-  if (options_.pipeline.deskew) straighten(posed);
-  const Clusters& clusters = segment_(virtual_scan_);
-  const auto outlines = outline_(virtual_scan_, clusters);
-  const auto detections = recognize_(outlines);
+bool Perception::is_placed(const PosedScan& posed) {
+  return is_near(posed.world_from_ego) && is_near(posed.ego_from_sensor);
+}
 
-  give_in_world(posed, detections);
-  result_.tracks = tracker_.step(posed.scan.stamp, result_.detections);
-  if (options_.pipeline.frame == OutputFrame::kEgo) give_in_ego();
-  clusters_ = &clusters;
+PosedScan Perception::left_empty(const PosedScan& posed) {
+  diagnostics_.note("scan at an unusable pose taken as empty",
+                    posed.scan.sensor + " scan " + std::to_string(posed.scan.frame));
+  PosedScan nothing;
+  nothing.scan.stamp = posed.scan.stamp;
+  nothing.scan.frame = posed.scan.frame;
+  nothing.scan.sensor = posed.scan.sensor;
+  return nothing;
+}
+
+Diagnostics Perception::diagnostics() const {
+  Diagnostics all = diagnostics_;
+  all.merge(tracker_.diagnostics());
+  return all;
 }
 
 void Perception::straighten(const PosedScan& posed) {
   const auto& twist = posed.twist;
+  if (!is_likely(twist)) {
+    diagnostics_.note("scan not corrected for an unlikely ego motion",
+                      posed.scan.sensor + " scan " + std::to_string(posed.scan.frame));
+    return;
+  }
   preprocess::deskew(virtual_scan_,
                      {{twist.speed_m_per_s, twist.lateral_m_per_s}, twist.yaw_rate_rad_per_s},
                      posed.ego_from_sensor.translation_m.head<2>());

@@ -7,6 +7,7 @@
 
 #include "scanfuse/classify/recognizer.hpp"
 #include "scanfuse/core/options.hpp"
+#include "scanfuse/pipeline/scaled.hpp"
 #include "scanfuse/pipeline/scan_feed.hpp"
 #include "scanfuse/preprocess/deskew.hpp"
 #include "scanfuse/preprocess/virtual_scan_builder.hpp"
@@ -51,30 +52,51 @@ struct PerceptionOptions {
   track::TrackerOptions track;
 };
 
+/// The arrows of the chain, for those who measure them.
+enum class Stage { kPreprocess, kDeskew, kSegment, kShape, kClassify, kTrack };
+
+constexpr auto choices(Stage) {
+  using enum Stage;
+  return std::array{std::pair{"preprocess", kPreprocess}, std::pair{"de-skew", kDeskew},
+                    std::pair{"segment", kSegment},       std::pair{"shape", kShape},
+                    std::pair{"classify", kClassify},     std::pair{"track", kTrack}};
+}
+
 /// The whole chain: one scan in, detections and tracks out. Every arrow of docs/architecture.md is
-/// one line of `step`. Keeps its buffers, so that a steady stream allocates next to nothing; one
-/// object per stream and thread.
+/// one line of `step`. Keeps its buffers: once they have grown, a step allocates nothing
+/// (tests/allocation). One object per stream and thread.
 class Perception {
  public:
   explicit Perception(const PerceptionOptions& options = {});
 
-  /// Valid until the next call. Scans of several sensors may be mixed, in order of time.
-  const StepResult& step(const PosedScan& posed);
+  /// Valid until the next call. Scans of several sensors may be mixed, in order of time. Every
+  /// number given is finite: a scan at an unusable pose (not finite, or past 1e7 m) counts as
+  /// empty, and is noted in `diagnostics`.
+  const StepResult& step(const PosedScan& posed) {
+    return step(posed, [](Stage) {});
+  }
+  /// The same, calling `after(stage)` when a stage is done.
+  template <class After>
+  const StepResult& step(const PosedScan& posed, After&& after);
 
   /// What the last step saw on its way, in the levelled sensor frame: for reports.
   [[nodiscard]] const VirtualScan& virtual_scan() const { return virtual_scan_; }
   [[nodiscard]] const Clusters& clusters() const { return *clusters_; }
-  [[nodiscard]] Diagnostics diagnostics() const { return tracker_.diagnostics(); }
+  [[nodiscard]] Diagnostics diagnostics() const;
 
  private:
-  void run(const PosedScan& posed);
+  template <class After>
+  void run(const PosedScan& posed, After& after);
   /// Results and virtual scan back to the size of the scene.
   void give_in_scene(const PosedScan& posed);
+  [[nodiscard]] static bool is_placed(const PosedScan& posed);
+  PosedScan left_empty(const PosedScan& posed);
   void straighten(const PosedScan& posed);
   void give_in_world(const PosedScan& posed, std::span<const Detection> detections);
   void give_in_ego();
 
   PerceptionOptions options_;
+  Diagnostics diagnostics_;
   preprocess::VirtualScanBuilder flatten_;
   segment::Segmenter segment_;
   shape::OutlineExtractor outline_;
@@ -84,6 +106,36 @@ class Perception {
   VirtualScan virtual_scan_;
   const Clusters* clusters_ = nullptr;
 };
+
+template <class After>
+const StepResult& Perception::step(const PosedScan& posed, After&& after) {
+  if (!is_placed(posed)) return step(left_empty(posed), after);
+  if (options_.pipeline.scale == 1) {
+    run(posed, after);
+  } else {
+    run(scaled(posed, 1 / options_.pipeline.scale), after);
+    give_in_scene(posed);
+  }
+  return result_;
+}
+
+template <class After>
+void Perception::run(const PosedScan& posed, After& after) {
+  virtual_scan_ = flatten_(posed.scan, posed.ego_from_sensor);
+  after(Stage::kPreprocess);
+  if (options_.pipeline.deskew) straighten(posed);
+  after(Stage::kDeskew);
+  clusters_ = &segment_(virtual_scan_);
+  after(Stage::kSegment);
+  const auto outlines = outline_(virtual_scan_, *clusters_);
+  after(Stage::kShape);
+  const auto detections = recognize_(outlines);
+  after(Stage::kClassify);
+  give_in_world(posed, detections);
+  result_.tracks = tracker_.step(posed.scan.stamp, result_.detections);
+  if (options_.pipeline.frame == OutputFrame::kEgo) give_in_ego();
+  after(Stage::kTrack);
+}
 
 /// The detection seen from another frame: `target_from_source` is planar.
 [[nodiscard]] Detection moved(const Detection& detection, const Pose2& target_from_source);

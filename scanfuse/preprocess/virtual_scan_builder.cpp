@@ -145,18 +145,21 @@ void VirtualScanBuilder::project(const Scan& scan, const Eigen::Matrix3f& rotati
   const std::span<const BeamDirection> beams(beams_);
   std::int16_t lowest = 32767, highest = -32768;
   points_.resize(scan.returns.size());
+  LevelPoint* const out = points_.data();
   std::size_t kept = 0;
   for (std::uint32_t i = 0; i < scan.returns.size(); ++i) {
     const Return& r = scan.returns[i];
-    Eigen::Vector3f p(r.x_m, r.y_m, r.z_m);
-    if (turned) p = rotation * p;
-    const float range2 = p.x() * p.x() + p.y() * p.y();
-    const bool inside = range2 >= near2 && range2 <= far2 && range2 > 0 && p.x() >= x_min &&
-                        p.x() <= x_max && p.y() >= y_min && p.y() <= y_max && std::isfinite(p.z());
-    if (!inside) continue;
-    points_[kept++] = {
-        p.x(), p.y(), p.z(),  std::sqrt(range2), bearing_by_beam(beams, p.x(), p.y(), r.beam),
-        i,     0,     r.layer};
+    float x = r.x_m, y = r.y_m, z = r.z_m;
+    if (turned) {
+      const Eigen::Vector3f p = rotation * Eigen::Vector3f(x, y, z);
+      x = p.x(), y = p.y(), z = p.z();
+    }
+    const float range2 = x * x + y * y;
+    const bool in_reach = (range2 >= near2) & (range2 <= far2) & (range2 > 0);
+    const bool in_region = (x >= x_min) & (x <= x_max) & (y >= y_min) & (y <= y_max);
+    if (!(in_reach & in_region) || !std::isfinite(z)) continue;
+    const float angle = bearing_by_beam(beams, x, y, r.beam);
+    out[kept++] = {x, y, z, std::sqrt(range2), angle, i, 0, r.layer};
     lowest = std::min(lowest, r.layer);
     highest = std::max(highest, r.layer);
   }
@@ -256,13 +259,15 @@ void VirtualScanBuilder::sort_into_columns(const Scan& scan) {
 int VirtualScanBuilder::support_of(std::span<const std::uint64_t> column) const {
   const float reach = range_of(column[0]) + static_cast<float>(options_.support_m);
   std::uint64_t layers = 0;
-  int count = 0;
+  int count = 0, distinct = 0;
   for (const std::uint64_t key : column) {
     if (range_of(key) > reach) break;
-    layers |= 1ULL << (points_[index_of(key)].layer & 63);
+    const std::uint64_t bit = 1ULL << (points_[index_of(key)].layer & 63);
+    distinct += (layers & bit) == 0 ? 1 : 0;
+    layers |= bit;
     ++count;
   }
-  return layered_ ? std::popcount(layers) : count;
+  return layered_ ? distinct : count;
 }
 
 bool VirtualScanBuilder::is_lonely_ground(const LevelPoint& point, GroundMethod method) const {
@@ -317,10 +322,12 @@ void VirtualScanBuilder::pick_column(const Scan& scan, std::span<const std::uint
 
 void VirtualScanBuilder::emit(const Scan& scan, const LevelPoint& point, int support) {
   const Return& r = scan.returns[point.source];
+  constexpr float kLongestSweep_s = 60;  // what claims more, or is no number, is not known
+  const float offset = std::abs(r.time_offset_s) < kLongestSweep_s ? r.time_offset_s : 0;
   const float angle = beams_.empty() ? exact_bearing(point.x_m, point.y_m) : point.bearing_rad;
-  virtual_scan_.points.push_back({point.x_m, point.y_m, point.z_m, point.range_m, angle,
-                                  r.time_offset_s, static_cast<std::int32_t>(point.column),
-                                  point.source, static_cast<std::uint8_t>(std::min(support, 255))});
+  virtual_scan_.points.push_back({point.x_m, point.y_m, point.z_m, point.range_m, angle, offset,
+                                  static_cast<std::int32_t>(point.column), point.source,
+                                  static_cast<std::uint8_t>(std::min(support, 255))});
 }
 
 void VirtualScanBuilder::order_by_bearing() {

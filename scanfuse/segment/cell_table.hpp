@@ -40,6 +40,35 @@ class CellTable {
   int shift_ = 64;
 };
 
+inline std::size_t CellTable::home(Cell cell) const {
+  // Fibonacci hashing of the packed cell: the top bits of the product are well mixed.
+  const std::uint64_t packed =
+      (static_cast<std::uint64_t>(static_cast<std::uint32_t>(cell.row)) << 32) |
+      static_cast<std::uint32_t>(cell.column);
+  const std::uint64_t mixed = (packed ^ (packed >> 29)) * 0x9e3779b97f4a7c15ULL;
+  return static_cast<std::size_t>((mixed ^ (mixed >> 32)) * 0xd1342543de82ef95ULL >> shift_);
+}
+
+inline std::uint32_t CellTable::insert(Cell cell) {
+  for (std::size_t i = home(cell);; i = (i + 1) & (slots_.size() - 1)) {
+    Slot& slot = slots_[i];
+    if (slot.epoch != epoch_) {
+      slot = {cell, static_cast<std::uint32_t>(cells_.size()), epoch_};
+      cells_.push_back(cell);
+      return slot.number;
+    }
+    if (slot.cell.row == cell.row && slot.cell.column == cell.column) return slot.number;
+  }
+}
+
+inline std::uint32_t CellTable::find(Cell cell) const {
+  for (std::size_t i = home(cell);; i = (i + 1) & (slots_.size() - 1)) {
+    const Slot& slot = slots_[i];
+    if (slot.epoch != epoch_) return kNone;
+    if (slot.cell.row == cell.row && slot.cell.column == cell.column) return slot.number;
+  }
+}
+
 /// floor(value / size) as an index that no odd value can make undefined.
 [[nodiscard]] inline std::int32_t cell_index(double value, double size) {
   constexpr double kLimit = 1e9;

@@ -6,10 +6,6 @@
 #include "scanfuse/geometry/angles.hpp"
 
 namespace scanfuse::segment {
-namespace {
-constexpr float kShortcutsPerMetre = 8;
-}
-
 void RingGrid::lay_out(const Shape& shape) {
   if (shape == shape_ && !counts_.empty()) return;
   shape_ = shape;
@@ -36,17 +32,6 @@ void RingGrid::lay_out(const Shape& shape) {
     }
     shortcut_.push_back(ring);
   }
-}
-
-CellTable::Cell RingGrid::cell(float range_m, float bearing_rad) const {
-  const auto place =
-      std::min(static_cast<std::size_t>(range_m * kShortcutsPerMetre), shortcut_.size() - 1);
-  auto ring = static_cast<std::size_t>(shortcut_[place]);
-  while (ring + 1 < counts_.size() && edges_[ring + 1] <= range_m) ++ring;
-  const std::int32_t around = counts_[ring];
-  const double turn = (static_cast<double>(bearing_rad) + kPi) / (2 * kPi);
-  const auto column = static_cast<std::int32_t>(turn * around);
-  return {static_cast<std::int32_t>(ring), std::clamp(column, 0, around - 1)};
 }
 
 }  // namespace scanfuse::segment

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
+#include "scanfuse/geometry/angles.hpp"
 #include "scanfuse/segment/cell_table.hpp"
 
 namespace scanfuse::segment {
@@ -48,10 +50,23 @@ class RingGrid {
   }
 
  private:
+  static constexpr float kShortcutsPerMetre = 8;
+
   Shape shape_;
   std::vector<float> edges_;            ///< inner radius of each ring, and the outer end
   std::vector<std::int32_t> counts_;    ///< cells around each ring
   std::vector<std::int32_t> shortcut_;  ///< the ring at each multiple of kShortcut
 };
+
+inline CellTable::Cell RingGrid::cell(float range_m, float bearing_rad) const {
+  const auto place =
+      std::min(static_cast<std::size_t>(range_m * kShortcutsPerMetre), shortcut_.size() - 1);
+  auto ring = static_cast<std::size_t>(shortcut_[place]);
+  while (ring + 1 < counts_.size() && edges_[ring + 1] <= range_m) ++ring;
+  const std::int32_t around = counts_[ring];
+  const double turn = (static_cast<double>(bearing_rad) + kPi) / (2 * kPi);
+  const auto column = static_cast<std::int32_t>(turn * around);
+  return {static_cast<std::int32_t>(ring), std::clamp(column, 0, around - 1)};
+}
 
 }  // namespace scanfuse::segment

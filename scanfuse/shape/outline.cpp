@@ -152,7 +152,8 @@ void OutlineExtractor::find_box(const VirtualScan& scan, Outline& outline) {
   if ((points_.back() - points_.front()).norm() > options_.outline.max_extent_m) {
     faces.min_face_points = std::numeric_limits<int>::max();
     faces.iterations = 1;
-    heading = fit_segment(points_).direction_rad();
+    sums_.reset(points_);
+    heading = sums_.fit(0, points_.size() - 1).direction_rad();
   } else {
     if (std::ssize(outline.lines) > options_.outline.max_lines) faces.iterations = 1;
     heading = find_heading(outline, sigma);

@@ -7,6 +7,7 @@
 #include "scanfuse/core/options.hpp"
 #include "scanfuse/shape/face_fit.hpp"
 #include "scanfuse/shape/iepf.hpp"
+#include "scanfuse/shape/line_fit.hpp"
 #include "scanfuse/shape/occlusion.hpp"
 #include "scanfuse/shape/rectangle_search.hpp"
 #include "scanfuse/types/clusters.hpp"
@@ -95,6 +96,7 @@ class OutlineExtractor {
   ShapeOptions options_;
   Iepf iepf_;
   RectangleSearch search_;
+  RunningSums sums_;
   std::vector<Eigen::Vector2d> points_;
   std::vector<std::uint32_t> order_;
   std::vector<Outline> outlines_;

@@ -12,6 +12,9 @@ namespace {
 constexpr double kSideSigma_m = 0.10;
 /// And they stay the same from scan to scan, so no number of scans makes a side better than this.
 constexpr double kLeastSigma_m = 0.08;
+/// What is wrong with a measured side stays wrong while the view stays the same: so many scans
+/// count as one.
+constexpr double kScansOfOneView = 4;
 /// Beyond this many deviations the belief, not the measurement, is doubted.
 constexpr double kSurprise = 3.0;
 constexpr double kShortest_m = 0.1;
@@ -26,7 +29,7 @@ void replace_moment(Gaussian<kStates>& state, int place, double mean, double var
 }
 
 void update_seen(Gaussian<kStates>& state, int place, const MeasuredSide& side) {
-  const double noise = std::max(side.variance_m2, kSideSigma_m * kSideSigma_m);
+  const double noise = kScansOfOneView * std::max(side.variance_m2, kSideSigma_m * kSideSigma_m);
   const double residual = side.size_m - state.mean(place);
   const double surprise = residual * residual / (kSurprise * kSurprise);
   const double belief = state.covariance(place, place);
@@ -79,7 +82,7 @@ Gaussian<2> extent_prior(ObjectClass object_class) {
   };
   switch (object_class) {
     case ObjectClass::kVehicle:
-      return prior(4.4, 1.8, 0.5, 0.15);
+      return prior(4.4, 1.8, 0.4, 0.12);
     case ObjectClass::kPedestrian:
       return prior(0.6, 0.5, 0.2, 0.15);
     case ObjectClass::kCyclist:

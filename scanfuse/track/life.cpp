@@ -153,13 +153,14 @@ bool is_over(const Target& target, Time stamp, const TrackerOptions& options) {
          worst > options.coast_sigma_m * options.coast_sigma_m;
 }
 
-void merge_duplicates(std::vector<Target>& targets) {
-  associate::PositionGrid grid(kMergeRadius_m);
+void merge_duplicates(std::vector<Target>& targets, Workspace& workspace) {
+  auto& [grid, candidates, superfluous] = workspace;
+  grid.reset(kMergeRadius_m);
   for (std::size_t i = 0; i < targets.size(); ++i) {
     grid.add(targets[i].position_m(), static_cast<int>(i));
   }
   grid.sort();
-  std::vector<char> superfluous(targets.size(), 0);
+  superfluous.assign(targets.size(), 0);
   for (std::size_t i = 0; i < targets.size(); ++i) {
     if (targets[i].status != TrackStatus::kConfirmed) continue;
     grid.near(targets[i].position_m(), [&](int j) {

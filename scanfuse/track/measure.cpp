@@ -12,7 +12,7 @@ constexpr double kLargest_m = 1e3;
 
 /// The detection's covariance where it is one, else one metre and half a radian.
 Eigen::Matrix3d sound_covariance(const Eigen::Matrix3d& given) {
-  const Eigen::Matrix3d symmetric = 0.5 * (given + given.transpose());
+  Eigen::Matrix3d symmetric = 0.5 * (given + given.transpose());
   const bool positive = given.allFinite() && symmetric(0, 0) > 0 && symmetric(2, 2) > 0 &&
                         symmetric.topLeftCorner<2, 2>().determinant() > 0;
   if (positive) return symmetric;
@@ -42,7 +42,7 @@ double free_end(const Detection& detection, const Eigen::Vector2d& axis) {
 /// a single one, never the end that was only believed.
 Eigen::Vector2d seen_ends(const Detection& detection, const Box2& box, const Measurement& m) {
   const Eigen::Vector2d viewer = box.pose().inverse() * detection.seen_from_m;
-  const Eigen::Vector2d to_viewer(std::copysign(1.0, viewer.x()), std::copysign(1.0, viewer.y()));
+  Eigen::Vector2d to_viewer(std::copysign(1.0, viewer.x()), std::copysign(1.0, viewer.y()));
   if (detection.faces_seen == 2) return to_viewer;
   if (detection.faces_seen == 0) {
     return {m.length.seen ? 0 : to_viewer.x(), m.width.seen ? 0 : to_viewer.y()};

@@ -18,10 +18,11 @@ struct MeasuredSide {
 ///
 ///   z = p_a + v,   p_a = c + t velocity + R(heading) [s_l length / 2, s_w width / 2]' = H x
 ///
-/// c is the centre at the scan's stamp, t the time from there until the object's beams were fired, p_a the point that was really placed: the corner turned to the sensor when two
-/// faces were seen (s = +-1), the middle of a single whole face (s = 0 along it), or its free end
-/// when the other one was hidden. How far the centre lies from there is the target's belief of its
-/// own extent, not the detection's.
+/// c is the centre at the scan's stamp, t the time from there until the object's beams were fired,
+/// p_a the point that was really placed: the corner turned to the sensor when two faces were seen
+/// (s = +-1), the middle of a single whole face (s = 0 along it), or its free end when the other
+/// one was hidden. How far the centre lies from there is the target's belief of its own extent, not
+/// the detection's.
 struct Measurement {
   Gaussian<2> position;
   Eigen::Matrix<double, 2, kStates> H;

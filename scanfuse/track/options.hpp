@@ -43,9 +43,9 @@ struct TrackerOptions {
   double gate_distance_m = 4;
   double unassigned_cost = 10;
   double class_mismatch_cost = 4;
-  double sigma_accel = 1.5;
+  double sigma_accel = 0.8;
   double sigma_velocity_m_per_s = 10;
-  double sigma_position_m = 0.05;
+  double sigma_position_m = 0.01;
   double sigma_p_m = 0.5;
   double sigma_m_m = 0.2;
   int confirm_hits = 3;

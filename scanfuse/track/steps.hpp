@@ -5,21 +5,30 @@
 #include <vector>
 
 #include "scanfuse/associate/associate.hpp"
+#include "scanfuse/associate/position_grid.hpp"
 #include "scanfuse/track/measure.hpp"
 
 /// One scan of the tracker is these functions in this order: predict, gated candidates,
 /// (associate), update and miss, birth, death.
 namespace scanfuse::track {
 
+/// Memory of the steps that is kept from scan to scan: grown once, nothing is allocated.
+struct Workspace {
+  associate::PositionGrid grid{1};
+  std::vector<associate::Candidate> candidates;
+  std::vector<char> superfluous;
+};
+
 /// Moves every target on by dt_s >= 0: constant velocity with white acceleration.
 void predict(std::vector<Target>& targets, double dt_s, const TrackerOptions& options);
 
 /// The pairs inside the gate. Cost with the Mahalanobis distance m^2: m^2 + ln det S, the part of
 /// -2 ln N(z; H x, S) that differs between pairs; without ln det S a vague track takes everything
-/// around it. With the euclidean distance, the distance in metres [Lu2018, eq. 5].
-[[nodiscard]] std::vector<associate::Candidate> gated_candidates(
+/// around it. With the euclidean distance, the distance in metres [Lu2018, eq. 5]. The result
+/// stands in `workspace`.
+[[nodiscard]] std::span<const associate::Candidate> gated_candidates(
     std::span<const Target> targets, std::span<const Detection> detections,
-    const TrackerOptions& options);
+    const TrackerOptions& options, Workspace& workspace);
 
 /// The cost from which a pair is not made, for the distance in use.
 [[nodiscard]] double unassigned_cost(const TrackerOptions& options);
@@ -50,6 +59,6 @@ void reseat(Target& target, const Detection& detection, const TrackerOptions& op
 [[nodiscard]] bool is_over(const Target& target, Time stamp, const TrackerOptions& options);
 
 /// Removes the younger of two targets that lie in one another and move alike.
-void merge_duplicates(std::vector<Target>& targets);
+void merge_duplicates(std::vector<Target>& targets, Workspace& workspace);
 
 }  // namespace scanfuse::track

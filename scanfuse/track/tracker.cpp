@@ -34,16 +34,16 @@ const std::vector<Track>& Tracker::step(Time stamp, std::span<const Detection> d
 
 std::optional<double> Tracker::advance_clock(Time stamp) {
   const double dt_s = last_ ? seconds_between(*last_, stamp) : 0.0;
-  const std::string where = "at " + std::to_string(to_nanos(stamp)) + " ns";
+  const auto where = [&] { return "at " + std::to_string(to_nanos(stamp)) + " ns"; };
   if (dt_s < 0 && dt_s >= -options_.max_gap_s) {
-    diagnostics_.note("scan older than the last one left out of tracking", where);
+    diagnostics_.note("scan older than the last one left out of tracking", where());
     return std::nullopt;
   }
   const bool jumped = dt_s < 0 || dt_s > options_.max_gap_s;
   if (jumped) {
     diagnostics_.note(
         dt_s < 0 ? "clock stepped back, tracks dropped" : "pause in the data, tracks dropped",
-        where);
+        where());
     targets_.clear();
   }
   last_ = stamp;
@@ -65,10 +65,10 @@ void Tracker::select_usable(std::span<const Detection> detections) {
 }
 
 void Tracker::fold_in(Time stamp, double dt_s, bool same_instant) {
-  const auto candidates = gated_candidates(targets_, usable_, options_);
-  const auto assignment =
-      associate::associate(options_.associator, static_cast<int>(targets_.size()),
-                           static_cast<int>(usable_.size()), candidates, unassigned_cost(options_));
+  const auto candidates = gated_candidates(targets_, usable_, options_, workspace_);
+  const auto& assignment =
+      associate_(options_.associator, static_cast<int>(targets_.size()),
+                 static_cast<int>(usable_.size()), candidates, unassigned_cost(options_));
   for (std::size_t t = 0; t < targets_.size(); ++t) {
     const int d = assignment.detection_of_track[t];
     if (d >= 0) {
@@ -82,7 +82,7 @@ void Tracker::fold_in(Time stamp, double dt_s, bool same_instant) {
   }
   std::erase_if(targets_, [&](const Target& t) { return is_over(t, stamp, options_); });
   give_birth(stamp, dt_s, assignment.track_of_detection);
-  if (!options_.births_inside_tracks) merge_duplicates(targets_);
+  if (!options_.births_inside_tracks) merge_duplicates(targets_, workspace_);
 }
 
 void Tracker::give_birth(Time stamp, double dt_s, std::span<const int> track_of_detection) {

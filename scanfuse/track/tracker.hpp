@@ -7,6 +7,7 @@
 
 #include "scanfuse/core/diagnostics.hpp"
 #include "scanfuse/track/options.hpp"
+#include "scanfuse/track/steps.hpp"
 #include "scanfuse/track/target.hpp"
 #include "scanfuse/types/detection.hpp"
 
@@ -43,6 +44,8 @@ class Tracker {
   TrackerOptions options_;
   Diagnostics diagnostics_;
   std::vector<Target> targets_;
+  Workspace workspace_;
+  associate::Associator associate_;
   std::vector<Detection> usable_;
   std::vector<int> source_;  ///< place of each usable detection in the caller's span
   std::vector<Track> tracks_;

@@ -17,15 +17,6 @@ constexpr double kAccelMemory_s = 0.5;
 /// Distance of a detection's centre from its seen end is not bounded by the gate: search farther.
 constexpr double kLongestHalf_m = 4;
 
-associate::PositionGrid grid_of(std::span<const Target> targets, double cell_m) {
-  associate::PositionGrid grid(cell_m);
-  for (std::size_t i = 0; i < targets.size(); ++i) {
-    grid.add(targets[i].position_m(), static_cast<int>(i));
-  }
-  grid.sort();
-  return grid;
-}
-
 /// Cost of the pair, or nothing outside the gate.
 std::optional<double> gated_cost(const Target& target, const Detection& detection, double gate,
                                  const TrackerOptions& options) {
@@ -59,12 +50,18 @@ void predict(std::vector<Target>& targets, double dt_s, const TrackerOptions& op
   }
 }
 
-std::vector<associate::Candidate> gated_candidates(std::span<const Target> targets,
-                                                   std::span<const Detection> detections,
-                                                   const TrackerOptions& options) {
+std::span<const associate::Candidate> gated_candidates(std::span<const Target> targets,
+                                                       std::span<const Detection> detections,
+                                                       const TrackerOptions& options,
+                                                       Workspace& workspace) {
   const double gate = associate::gate_in_the_plane(options.gate_probability);
-  const auto grid = grid_of(targets, options.gate_distance_m + kLongestHalf_m);
-  std::vector<associate::Candidate> candidates;
+  auto& [grid, candidates, superfluous] = workspace;
+  grid.reset(options.gate_distance_m + kLongestHalf_m);
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    grid.add(targets[i].position_m(), static_cast<int>(i));
+  }
+  grid.sort();
+  candidates.clear();
   for (std::size_t d = 0; d < detections.size(); ++d) {
     const Eigen::Vector2d& place = options.measurement == MeasuredAs::kVisibleMiddle
                                        ? detections[d].visible_middle_m

@@ -12,10 +12,10 @@ namespace scanfuse {
 /// frame out of `classify`, the tracking (world) frame once the pipeline has moved it there.
 struct Detection {
   ObjectClass object_class = ObjectClass::kVehicle;
-  double score = 1;       ///< 0..1
-  Box2 box;               ///< heading known mod pi at best, mod pi/2 when one face is seen
-  double z_m = 0;         ///< centre height above the frame's origin
-  double height_m = 0;    ///< 0: not known
+  double score = 1;     ///< 0..1
+  Box2 box;             ///< heading known mod pi at best, mod pi/2 when one face is seen
+  double z_m = 0;       ///< centre height above the frame's origin
+  double height_m = 0;  ///< 0: not known
   /// Of centre x, y (m) and heading (rad), as if the extent were right: it says how well the seen
   /// side is placed. What an uncertain extent adds stands in the two variances below.
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
@@ -23,12 +23,13 @@ struct Detection {
   double var_width_m2 = 1;
   bool length_seen = false;  ///< both ends of the long side were seen; else a prior or lower bound
   bool width_seen = false;
-  int faces_seen = 0;        ///< 0: not known, 1 or 2
-  bool left_end_occluded = false;   ///< its end of larger bearing is hidden: by something nearer, a
-                                    ///< neighbouring cluster, or the edge of the view
+  int faces_seen = 0;              ///< 0: not known, 1 or 2
+  bool left_end_occluded = false;  ///< its end of larger bearing is hidden: by something nearer, a
+                                   ///< neighbouring cluster, or the edge of the view
   bool right_end_occluded = false;
   int points = 0;
-  double time_offset_s = 0;  ///< when its beams were fired, after the scan's stamp: mean of its points
+  double time_offset_s =
+      0;  ///< when its beams were fired, after the scan's stamp: mean of its points
   Eigen::Vector2d seen_from_m = Eigen::Vector2d::Zero();  ///< the sensor, in the same frame
   /// Middle of the longest visible line: the position of [Lu2018], 1.7 to 2.3 m from the centre.
   Eigen::Vector2d visible_middle_m = Eigen::Vector2d::Zero();

@@ -10,7 +10,8 @@
 
 namespace scanfuse {
 
-/// A pose as a topic tells it: odometry, motion capture, localisation. Also any other object's pose.
+/// A pose as a topic tells it: odometry, motion capture, localisation. Also any other object's
+/// pose.
 struct PoseSample {
   Time stamp;
   std::string frame_id;        ///< parent frame, may be empty

@@ -27,19 +27,21 @@ struct Outline {
   std::vector<LineSegment> lines;  ///< in order of bearing
   /// Tight around the points, before any size prior; length along the longer face, or the only one.
   Box2 box;
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< of the seen corner or face: x, y, heading
+  Eigen::Matrix3d covariance =
+      Eigen::Matrix3d::Identity();  ///< of the seen corner or face: x, y, heading
   int faces_seen = 0;
   /// The end of larger bearing may go on: something nearer hides it, or the field of view ends.
   bool left_end_occluded = false;
   bool right_end_occluded = false;
   int points = 0;
-  double time_offset_s = 0;  ///< when its beams were fired, after the scan's stamp: mean of its points
+  double time_offset_s =
+      0;  ///< when its beams were fired, after the scan's stamp: mean of its points
   double z_low_m = 0;
   double z_high_m = 0;
-  double var_range_m2 = 0;  ///< variance of the points' ranges, a feature of [Guo]
-  double residual_m = 0;    ///< rms distance of all points from the seen faces
-  double inlier_share = 1;  ///< of the points, those within the noise of a seen face
-  double coverage = 1;      ///< points per column between the outermost columns
+  double var_range_m2 = 0;   ///< variance of the points' ranges, a feature of [Guo]
+  double residual_m = 0;     ///< rms distance of all points from the seen faces
+  double inlier_share = 1;   ///< of the points, those within the noise of a seen face
+  double coverage = 1;       ///< points per column between the outermost columns
   double var_length_m2 = 0;  ///< of the box's extent between two free ends
   double var_width_m2 = 0;
   std::uint32_t cluster = 0;  ///< which cluster of the scan

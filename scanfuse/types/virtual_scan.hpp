@@ -14,12 +14,12 @@ struct PlanarPoint {
   float x_m = 0;
   float y_m = 0;
   float z_m = 0;
-  float range_m = 0;        ///< in the plane
-  float bearing_rad = 0;    ///< in [-pi, pi)
+  float range_m = 0;      ///< in the plane
+  float bearing_rad = 0;  ///< in [-pi, pi)
   float time_offset_s = 0;
-  std::int32_t column = 0;  ///< bearing bin; neighbours differ by one
-  std::uint32_t source = 0; ///< index into Scan::returns
-  std::uint8_t support = 1; ///< layers that agree
+  std::int32_t column = 0;   ///< bearing bin; neighbours differ by one
+  std::uint32_t source = 0;  ///< index into Scan::returns
+  std::uint8_t support = 1;  ///< layers that agree
 };
 
 /// A sweep flattened to the plane, sorted by bearing: what segmentation and shape work on.

@@ -1,31 +1,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <cstdlib>
+#include "apps/tool.hpp"
 
-#include "io/temporary_folder.hpp"
-
-namespace scanfuse {
+namespace scanfuse::tool_testing {
 namespace {
 
-using scanfuse::io_testing::content_of;
-using scanfuse::io_testing::TemporaryFolder;
 using ::testing::HasSubstr;
-
-struct Outcome {
-  int code = -1;
-  std::string out, err;
-};
-
-/// Runs the tool as a shell would, output and errors apart.
-Outcome run_tool(const TemporaryFolder& folder, const std::string& arguments) {
-  const auto out = folder.path() / "stdout", err = folder.path() / "stderr";
-  const std::string command =
-      std::string(SCANFUSE_TOOL) + " " + arguments + " >" + out.string() + " 2>" + err.string();
-  const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(out), content_of(err)};
-}
 
 const char* const kPoints =
     "frame,time_s,x_m,y_m\n0,1575811624.359102488,1,2\n0,1575811624.359102488,3,4\n"
@@ -101,4 +82,4 @@ TEST(ConvertCommand, EgoMotionOfALogGoesToItsOwnTable) {
 }
 
 }  // namespace
-}  // namespace scanfuse
+}  // namespace scanfuse::tool_testing

@@ -1,9 +1,10 @@
-// Uses the installed library the way a user would: a scan in, its clusters and a filter out.
+// Uses the installed library the way a user would: simulated scans in, tracks out.
+#include <algorithm>
 #include <cstdio>
 
-#include "scanfuse/core/random.hpp"
-#include "scanfuse/geometry/pose.hpp"
 #include "scanfuse/io/recording.hpp"
+#include "scanfuse/pipeline/perception.hpp"
+#include "scanfuse/simulate/simulate.hpp"
 
 int main() {
   const auto missing = scanfuse::io::open_recording("no/such/recording.mcap");
@@ -12,5 +13,20 @@ int main() {
     return 1;
   }
   std::printf("scanfuse answers: %s\n", missing.error().message.c_str());
-  return 0;
+
+  auto simulation = scanfuse::simulate::Simulation::create("lu2018-1", 1);
+  if (!simulation) return 1;
+  scanfuse::pipeline::Perception perception;
+  scanfuse::pipeline::PosedScan posed;
+  posed.ego_from_sensor = simulation->ego_from_sensor();
+  std::size_t most = 0;
+  for (int i = 0; i < 30; ++i) {
+    auto frame = simulation->next();
+    if (!frame) return 1;
+    posed.scan = std::move(frame->scan);
+    posed.world_from_ego = frame->ego.pose;
+    most = std::max(most, perception.step(posed).tracks.size());
+  }
+  std::printf("at most %zu tracks at a time\n", most);
+  return most > 0 ? 0 : 1;
 }

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
 #include <cstdio>
@@ -31,7 +32,8 @@ Ran run_tool(const std::string& arguments) {
 class EvaluateCommand : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::path(testing::TempDir()) / "scanfuse_evaluate_command";
+    folder_ = std::filesystem::path(testing::TempDir()) /
+              ("scanfuse_evaluate_command_" + std::to_string(::getpid()));
     std::filesystem::create_directories(folder_);
     std::ofstream(truth()) << "frame,time_s,object_id,class,x_m,y_m\n"
                               "0,0.0,1,vehicle,10,0\n1,0.1,1,vehicle,11,0\n";

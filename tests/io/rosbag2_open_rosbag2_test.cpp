@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <unistd.h>
 #include <zstd.h>
 
 #include <filesystem>
@@ -53,7 +54,9 @@ Result<std::unique_ptr<RawMessageSource>> open_image(std::vector<std::byte> imag
 /// A folder of its own that goes away again.
 class BagFolder {
  public:
-  BagFolder() : path_(fs::path(testing::TempDir()) / "scanfuse rosbag2 #1%") {
+  BagFolder()
+      : path_(fs::path(testing::TempDir()) /
+              ("scanfuse rosbag2 #1% " + std::to_string(::getpid()))) {
     fs::remove_all(path_);
     fs::create_directories(path_);
   }

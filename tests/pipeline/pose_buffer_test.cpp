@@ -40,7 +40,8 @@ TEST(PoseBuffer, TwistIsInTheEgosOwnAxesOnACircle) {
   const double radius = 20, rate = 0.4;
   for (int i = 0; i < 100; ++i) {
     const double turn = rate * 0.01 * i;
-    buffer.add(clock_at(0.01 * i), planar(radius * std::sin(turn), radius * (1 - std::cos(turn)), turn));
+    buffer.add(clock_at(0.01 * i),
+               planar(radius * std::sin(turn), radius * (1 - std::cos(turn)), turn));
   }
   const auto twist = buffer.twist_at(clock_at(0.5));
   EXPECT_NEAR(twist.speed_m_per_s, radius * rate, 0.01);

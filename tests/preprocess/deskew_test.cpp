@@ -19,9 +19,9 @@ TEST(Deskew, TheStaticWorldFallsTogetherOnADriveWithATurn) {
     constexpr int kSteps = 2000;
     for (int k = 0; k < kSteps; ++k) {
       const double dt = t / kSteps;
-      start_from_now = start_from_now * Pose2{twist.velocity_m_per_s.x() * dt,
-                                              twist.velocity_m_per_s.y() * dt,
-                                              twist.yaw_rate_rad_per_s * dt};
+      start_from_now =
+          start_from_now * Pose2{twist.velocity_m_per_s.x() * dt, twist.velocity_m_per_s.y() * dt,
+                                 twist.yaw_rate_rad_per_s * dt};
     }
     const Eigen::Vector2d seen = start_from_now.inverse() * wall_ego - sensor;
     PlanarPoint point;

@@ -1,0 +1,2 @@
+# They run the tool on whole scenarios several times.
+set(slow "SameBytes.*")
