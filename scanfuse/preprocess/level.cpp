@@ -22,25 +22,4 @@ Scan level(Scan scan, const Pose3& ego_from_sensor) {
   return scan;
 }
 
-Scan deskew(Scan scan, const Eigen::Vector2d& velocity_ego_m_per_s, double yaw_rate_rad_per_s,
-            const Pose3& ego_from_sensor) {
-  const Pose3 sensor_from_ego = ego_from_sensor.inverse();
-  for (Return& r : scan.returns) {
-    const double t = r.time_offset_s;
-    // Along an arc the mean direction over t is that of the middle; sin(h)/h shortens the chord.
-    const double half = 0.5 * yaw_rate_rad_per_s * t;
-    const double chord = std::abs(half) > 1e-9 ? std::sin(half) / half : 1;
-    const Pose2 turn{0, 0, half};
-    const Eigen::Vector2d moved = turn * Eigen::Vector2d(velocity_ego_m_per_s * (t * chord));
-    const Pose3 start_from_now = Pose3::from_planar({moved.x(), moved.y(), 2 * half});
-    const Eigen::Vector3d p =
-        sensor_from_ego *
-        (start_from_now * (ego_from_sensor * Eigen::Vector3d(r.x_m, r.y_m, r.z_m)));
-    r.x_m = static_cast<float>(p.x());
-    r.y_m = static_cast<float>(p.y());
-    r.z_m = static_cast<float>(p.z());
-  }
-  return scan;
-}
-
 }  // namespace scanfuse::preprocess
