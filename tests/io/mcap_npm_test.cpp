@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "io/temporary_folder.hpp"
 #include "scanfuse/io/mcap/message_source.hpp"
 #include "scanfuse/io/mcap/result_messages.hpp"
 #include "scanfuse/io/mcap/topic_writer.hpp"
@@ -27,7 +28,8 @@ constexpr const char* kNotInstalled = "no npm packages (npm ci --prefix tests/np
 
 /// What the script prints, as JSON; null when it fails.
 nlohmann::json run_npm(const std::string& arguments) {
-  const fs::path output = fs::temp_directory_path() / "scanfuse_npm_output.json";
+  const io_testing::TemporaryFolder folder;  // of its own: tests run side by side
+  const fs::path output = folder.path() / "output.json";
   const std::string command = "node '" + (kNpmFolder / "mcap_roundtrip.mjs").string() + "' " +
                               arguments + " > '" + output.string() + "'";
   if (std::system(command.c_str()) != 0) return nullptr;
@@ -66,8 +68,9 @@ void write_for_npm(const fs::path& path, mcap::Compression compression) {
 TEST(McapNpm, FoxglovesPackagesReadWhatWeWrite) {
   if (!npm_is_installed()) GTEST_SKIP() << kNotInstalled;
   using mcap::Compression;
+  const io_testing::TemporaryFolder folder;
   for (const auto compression : {Compression::kNone, Compression::kLz4, Compression::kZstd}) {
-    const fs::path path = fs::temp_directory_path() / "scanfuse_for_npm.mcap";
+    const fs::path path = folder.path() / "ours.mcap";
     write_for_npm(path, compression);
     const auto found = run_npm("read '" + path.string() + "'");
     ASSERT_TRUE(found.is_object());
@@ -87,9 +90,9 @@ TEST(McapNpm, FoxglovesPackagesReadWhatWeWrite) {
 
 TEST(McapNpm, WeReadWhatFoxglovesPackagesWrite) {
   if (!npm_is_installed()) GTEST_SKIP() << kNotInstalled;
+  const io_testing::TemporaryFolder folder;
   for (const std::string compression : {"none", "zstd"}) {
-    const fs::path path = fs::temp_directory_path() / "scanfuse_from_npm.mcap";
-    fs::remove(path);
+    const fs::path path = folder.path() / (compression + ".mcap");
     (void)run_npm("write '" + path.string() + "' " + compression);
     auto source = open_mcap(path);
     ASSERT_TRUE(source.has_value()) << source.error().message;
