@@ -9,6 +9,7 @@
 #include "bench_rows.hpp"
 #include "scanfuse/segment/score.hpp"
 #include "scanfuse/segment/segmenter.hpp"
+#include "scanfuse/shape/join.hpp"
 #include "scanfuse/simulate/segmentation_scenes.hpp"
 
 namespace scanfuse::app {
@@ -32,6 +33,24 @@ struct Share {
 struct Contender {
   std::string name;
   SegmentOptions options;
+  shape::JoinMethod join = shape::JoinMethod::kNone;
+};
+
+/// A way of segmentation, then of joining what it cut apart.
+class Cutter {
+ public:
+  explicit Cutter(const Contender& contender)
+      : segment_(contender.options), join_(options_of(contender), {}, {}) {}
+  const Clusters& operator()(const VirtualScan& scan) { return join_(scan, segment_(scan), {}); }
+
+ private:
+  static shape::JoinOptions options_of(const Contender& contender) {
+    shape::JoinOptions options;
+    options.method = contender.join;
+    return options;
+  }
+  Segmenter segment_;
+  shape::ClusterJoiner join_;
 };
 
 std::vector<Contender> contenders() {
@@ -40,6 +59,15 @@ std::vector<Contender> contenders() {
     SegmentOptions options;
     options.method = method;
     all.push_back({name, options});
+  }
+  for (const auto& [name, method] : {std::pair{"pag", SegmentMethod::kPag},
+                                     std::pair{"breakpoint", SegmentMethod::kBreakpoint}}) {
+    for (const auto join : {shape::JoinMethod::kOccluder, shape::JoinMethod::kGuo}) {
+      SegmentOptions options;
+      options.method = method;
+      const char* how = join == shape::JoinMethod::kGuo ? "guo" : "joined";
+      all.push_back({fmt::format("{} {}", name, how), options, join});
+    }
   }
   SegmentOptions square;
   square.pag.cells = segment::PagCells::kSquare;
@@ -63,7 +91,7 @@ BenchRow with_target(std::string name, double value, std::string unit,
 /// One car in free sight at each range.
 void add_range_ladder(std::vector<BenchRow>& rows, const Contender& contender,
                       const SeedRange& seeds, bool stray) {
-  Segmenter cut(contender.options);
+  Cutter cut(contender);
   simulate::SegmentationSceneOptions options;
   options.stray_return = stray;
   for (int range_m = 10; range_m <= 60; range_m += 10) {
@@ -84,7 +112,7 @@ void add_range_ladder(std::vector<BenchRow>& rows, const Contender& contender,
 /// Random traffic: by range, and by class.
 void add_scenes(std::vector<BenchRow>& rows, const Contender& contender, const SeedRange& seeds,
                 bool stray) {
-  Segmenter cut(contender.options);
+  Cutter cut(contender);
   simulate::SegmentationSceneOptions options;
   options.stray_return = stray;
   std::array<Share, 7> by_range;
@@ -122,7 +150,7 @@ void add_scenes(std::vector<BenchRow>& rows, const Contender& contender, const S
 /// Median time of one scan of 440 beams, over 300 scenes, after a first round.
 void add_speed(std::vector<BenchRow>& rows, const Contender& contender, const SeedRange& seeds) {
   using Clock = std::chrono::steady_clock;
-  Segmenter cut(contender.options);
+  Cutter cut(contender);
   std::vector<double> times_us;
   for (int i = 0; i < seeds.count; ++i) {
     const auto scene = simulate::segmentation_scene(seeds.first + static_cast<std::uint64_t>(i));

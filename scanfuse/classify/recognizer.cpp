@@ -1,10 +1,14 @@
 #include "scanfuse/classify/recognizer.hpp"
 
+#include <algorithm>
+
 #include "scanfuse/classify/vehicle_box.hpp"
 #include "scanfuse/classify/vehicle_rules.hpp"
 
 namespace scanfuse::classify {
 namespace {
+
+constexpr double kLeastExpectedScore = 0.25;
 
 double score_by_method(const Outline& outline, const RecognizerOptions& options) {
   if (options.method == Method::kLu2018) return is_vehicle_lu2018(outline, options) ? 1 : 0;
@@ -15,6 +19,16 @@ double score_by_method(const Outline& outline, const RecognizerOptions& options)
 bool is_small_user(const Outline& outline, const RecognizerOptions& options) {
   return outline.points >= options.min_points && outline.box.length_m >= options.min_user_m &&
          outline.box.length_m <= options.max_width_m && outline.box.width_m <= options.min_width_m;
+}
+
+/// A piece of a vehicle that a track expects here need not look like a whole one; it must only not
+/// look like something else.
+bool is_expected_vehicle(const Outline& outline, const RecognizerOptions& options) {
+  return outline.expected >= 0 && options.method == Method::kScore &&
+         outline.points >= options.min_points &&
+         outline.inlier_share >= options.min_expected_inlier_share &&
+         outline.box.length_m <= options.max_length_m + options.size_slack_m &&
+         outline.box.width_m <= options.max_width_m + options.size_slack_m;
 }
 
 }  // namespace
@@ -29,7 +43,10 @@ std::span<const Detection> Recognizer::operator()(std::span<const Outline> outli
 
 void Recognizer::add(const Outline& outline) {
   const double score = score_by_method(outline, options_);
-  if (score >= options_.min_score && score > 0) {
+  if (is_expected_vehicle(outline, options_) && score < options_.min_score) {
+    detections_.push_back(complete_vehicle(outline, options_));
+    detections_.back().score = std::max(score, kLeastExpectedScore);
+  } else if (score >= options_.min_score && score > 0) {
     detections_.push_back(complete_vehicle(outline, options_));
     detections_.back().score = score;
   } else if (options_.keep == Keep::kRoadUsers && is_small_user(outline, options_)) {

@@ -42,6 +42,7 @@ struct RecognizerOptions {
   double sigma_width_m = 0.12;
   double max_end_sigma_m = 0.15;
   double min_inlier_share = 0.85;
+  double min_expected_inlier_share = 0.85;
   double min_coverage = 0.85;
   double right_angle_tolerance_rad = 0.35;
   double min_user_m = 0.15;
@@ -72,6 +73,8 @@ struct RecognizerOptions {
               "a side whose ends are less certain, seen at grazing incidence, is a lower bound"},
         Field{"min_inlier_share", &O::min_inlier_share, 0.0, 1.0,
               "of the points on straight faces: bushes have less"},
+        Field{"min_expected_inlier_share", &O::min_expected_inlier_share, 0.0, 1.0,
+              "the same where a track expects a vehicle"},
         Field{"min_coverage", &O::min_coverage, 0.0, 1.0,
               "of the beams that must return: loose foliage has less"},
         Field{"right_angle_tolerance_rad", &O::right_angle_tolerance_rad, 0.0, 1.5,

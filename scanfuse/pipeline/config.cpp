@@ -53,6 +53,7 @@ PerceptionOptions literal_chain() {
   PerceptionOptions options;
   options.segment.method = segment::SegmentMethod::kPagLiteral;
   options.shape.outline.lines = shape::LineMethod::kIepfLiteral;
+  options.shape.join.method = shape::JoinMethod::kNone;
   options.classify.method = classify::Method::kLu2018;
   options.track = track::literal_options();
   return options;

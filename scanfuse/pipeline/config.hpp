@@ -25,6 +25,7 @@ void for_each_section(Options& options, Visit&& visit) {
   visit("iepf", options.shape.iepf);
   visit("faces", options.shape.faces);
   visit("occlusion", options.shape.occlusion);
+  visit("join", options.shape.join);
   visit("classify", options.classify);
   visit("track", options.track);
 }

@@ -21,6 +21,12 @@ bool is_likely(const PoseBuffer::Twist& twist) {
          std::abs(twist.yaw_rate_rad_per_s) < kFastestEgo;
 }
 
+/// The levelled sensor frame: the ego's axes, the sensor's place.
+Pose2 world_from_level(const PosedScan& posed) {
+  const Eigen::Vector3d mount = posed.ego_from_sensor.translation_m;
+  return posed.world_from_ego.planar() * Pose2{mount.x(), mount.y(), 0};
+}
+
 }  // namespace
 
 Perception::Perception(const PerceptionOptions& options)
@@ -72,6 +78,15 @@ void Perception::straighten(const PosedScan& posed) {
                      posed.ego_from_sensor.translation_m.head<2>());
 }
 
+void Perception::expect(const PosedScan& posed) {
+  tracker_.expect(posed.scan.stamp, expected_);
+  const Pose2 level_from_world = world_from_level(posed).inverse();
+  for (Expected& object : expected_) {
+    object.box.centre_m = level_from_world * object.box.centre_m;
+    object.box.heading_rad = wrap_pi(object.box.heading_rad + level_from_world.heading_rad);
+  }
+}
+
 void Perception::give_in_world(const PosedScan& posed, std::span<const Detection> detections) {
   result_.stamp = posed.scan.stamp;
   result_.frame = posed.scan.frame;
@@ -80,13 +95,12 @@ void Perception::give_in_world(const PosedScan& posed, std::span<const Detection
   result_.coordinate_frame = options_.pipeline.frame == OutputFrame::kEgo ? "ego" : "world";
   result_.ego_from_sensor = posed.ego_from_sensor;
   // Detections stand in the levelled sensor frame: the ego's axes, the sensor's place.
-  const Pose2 ego = posed.world_from_ego.planar();
-  const Eigen::Vector3d mount = posed.ego_from_sensor.translation_m;
-  const Pose2 world_from_level = ego * Pose2{mount.x(), mount.y(), 0};
-  const double lift = posed.world_from_ego.translation_m.z() + mount.z();
+  const Pose2 place = world_from_level(posed);
+  const double lift =
+      posed.world_from_ego.translation_m.z() + posed.ego_from_sensor.translation_m.z();
   result_.detections.clear();
   for (const Detection& detection : detections) {
-    result_.detections.push_back(moved(detection, world_from_level));
+    result_.detections.push_back(moved(detection, place));
     result_.detections.back().z_m += lift;
   }
 }

@@ -92,6 +92,8 @@ class Perception {
   [[nodiscard]] static bool is_placed(const PosedScan& posed);
   PosedScan left_empty(const PosedScan& posed);
   void straighten(const PosedScan& posed);
+  /// Asks the tracker where vehicles will be, in the levelled sensor frame.
+  void expect(const PosedScan& posed);
   void give_in_world(const PosedScan& posed, std::span<const Detection> detections);
   void give_in_ego();
 
@@ -104,6 +106,7 @@ class Perception {
   track::Tracker tracker_;
   StepResult result_;
   VirtualScan virtual_scan_;
+  std::vector<Expected> expected_;
   const Clusters* clusters_ = nullptr;
 };
 
@@ -127,7 +130,9 @@ void Perception::run(const PosedScan& posed, After& after) {
   after(Stage::kDeskew);
   clusters_ = &segment_(virtual_scan_);
   after(Stage::kSegment);
-  const auto outlines = outline_(virtual_scan_, *clusters_);
+  expect(posed);
+  const auto outlines = outline_(virtual_scan_, *clusters_, expected_);
+  clusters_ = &outline_.clusters();
   after(Stage::kShape);
   const auto detections = recognize_(outlines);
   after(Stage::kClassify);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace scanfuse::preprocess {
 namespace {
@@ -297,27 +298,38 @@ void VirtualScanBuilder::pick_points(const Scan& scan, GroundMethod method) {
 }
 
 /// `column`: the returns of one bearing by range. What lies behind a gap of separation_m may be
-/// another object; of each such group the nearest supported return is kept.
+/// another object; of each such group the nearest supported return is kept. Where layers are few,
+/// one of them alone may look over what stands in front: there a group without support gives its
+/// nearest return that is not ground, for its neighbours in bearing to support.
 void VirtualScanBuilder::pick_column(const Scan& scan, std::span<const std::uint64_t> column,
                                      GroundMethod method) {
   const auto separation = static_cast<float>(options_.separation_m);
+  const bool each_group = method == GroundMethod::kLayers && most_per_bearing_ > 1;
   const LevelPoint* lonely = nullptr;
   int kept = 0;
   bool group_done = false;
+  const auto keep = [&](const LevelPoint& p, int support) {
+    if (kept >= most_per_bearing_) return;
+    emit(scan, p, support);
+    ++kept;
+  };
   for (std::size_t i = 0; i < column.size() && kept < most_per_bearing_; ++i) {
-    if (i > 0 && range_of(column[i]) - range_of(column[i - 1]) > separation) group_done = false;
+    if (i > 0 && range_of(column[i]) - range_of(column[i - 1]) > separation) {
+      if (each_group && lonely != nullptr) keep(*std::exchange(lonely, nullptr), 1);
+      group_done = false;
+    }
     if (group_done) continue;
     const LevelPoint& p = points_[index_of(column[i])];
     const int support = support_of(column.subspan(i));
     if (support > 1) {
-      emit(scan, p, support);
-      ++kept;
+      keep(p, support);
       group_done = true;
+      if (each_group) lonely = nullptr;
     } else if (lonely == nullptr && !is_lonely_ground(p, method)) {
       lonely = &p;
     }
   }
-  if (kept == 0 && lonely != nullptr) emit(scan, *lonely, 1);
+  if (lonely != nullptr && (each_group || kept == 0)) keep(*lonely, 1);
 }
 
 void VirtualScanBuilder::emit(const Scan& scan, const LevelPoint& point, int support) {

@@ -8,7 +8,7 @@
 
 #include "scanfuse/core/options.hpp"
 #include "scanfuse/segment/cell_table.hpp"
-#include "scanfuse/segment/disjoint_sets.hpp"
+#include "scanfuse/core/disjoint_sets.hpp"
 #include "scanfuse/segment/gather.hpp"
 #include "scanfuse/segment/ring_grid.hpp"
 #include "scanfuse/types/clusters.hpp"

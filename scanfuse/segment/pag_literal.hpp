@@ -5,8 +5,8 @@
 #include <tuple>
 #include <vector>
 
+#include "scanfuse/core/disjoint_sets.hpp"
 #include "scanfuse/core/options.hpp"
-#include "scanfuse/segment/disjoint_sets.hpp"
 #include "scanfuse/segment/gather.hpp"
 #include "scanfuse/types/clusters.hpp"
 #include "scanfuse/types/virtual_scan.hpp"

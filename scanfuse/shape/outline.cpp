@@ -31,7 +31,24 @@ std::size_t first_behind_seam(const VirtualScan& scan, std::span<const std::uint
   return first;
 }
 
-void set_summary(const VirtualScan& scan, std::span<const std::uint32_t> order, Outline& outline) {
+/// Columns between two successive points of an object in which something nearer stopped the beam.
+int hidden_columns(const VirtualScan& scan, std::uint32_t from, std::uint32_t to,
+                   double nearer_by_m) {
+  const PlanarPoint &a = scan.points[from], &b = scan.points[to];
+  const float limit = std::min(a.range_m, b.range_m) - static_cast<float>(nearer_by_m);
+  int hidden = 0;
+  std::int32_t column = a.column;
+  for (std::uint32_t i = from + 1; i < to; ++i) {
+    const PlanarPoint& p = scan.points[i];
+    if (p.range_m >= limit || p.column == column || p.column == b.column) continue;
+    column = p.column;
+    ++hidden;
+  }
+  return hidden;
+}
+
+void set_summary(const VirtualScan& scan, std::span<const std::uint32_t> order, double nearer_by_m,
+                 Outline& outline) {
   const PlanarPoint& front = scan.points[order.front()];
   outline.z_low_m = outline.z_high_m = front.z_m;
   double sum = 0, squares = 0, offsets = 0;
@@ -49,8 +66,13 @@ void set_summary(const VirtualScan& scan, std::span<const std::uint32_t> order, 
   outline.var_range_m2 = std::max(squares / count - (sum / count) * (sum / count), 0.0);
   double span = scan.points[order.back()].bearing_rad - front.bearing_rad;
   if (span < 0) span += 2 * kPi;
-  outline.coverage =
-      scan.step_rad > 0 ? std::min(count / (std::round(span / scan.step_rad) + 1), 1.0) : 1.0;
+  if (scan.step_rad <= 0) return;
+  int hidden = 0;
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    hidden += hidden_columns(scan, order[i - 1], order[i], nearer_by_m);
+  }
+  const double columns = std::round(span / scan.step_rad) + 1 - hidden;
+  outline.coverage = std::min(count / std::max(columns, 1.0), 1.0);
 }
 
 double column_step(const VirtualScan& scan, std::span<const std::uint32_t> order) {
@@ -85,24 +107,29 @@ ShapeOptions to_scale(ShapeOptions options) {
 OutlineExtractor::OutlineExtractor(const ShapeOptions& options)
     : options_(to_scale(options)),
       iepf_(options_.iepf),
+      join_(options_.join, options_.occlusion, options_.faces),
       search_(options.outline.criterion, options.outline.search_steps,
               options.outline.search_points) {}
 
 std::span<const Outline> OutlineExtractor::operator()(const VirtualScan& scan,
-                                                      const Clusters& clusters) {
-  if (outlines_.size() < clusters.size()) outlines_.resize(clusters.size());
-  for (std::size_t k = 0; k < clusters.size(); ++k) {
+                                                      const Clusters& clusters,
+                                                      std::span<const Expected> expected) {
+  clusters_ = &join_(scan, clusters, expected);
+  const Clusters& joined = *clusters_;
+  if (outlines_.size() < joined.size()) outlines_.resize(joined.size());
+  for (std::size_t k = 0; k < joined.size(); ++k) {
     outlines_[k] = blank(std::move(outlines_[k]), static_cast<std::uint32_t>(k));
-    if (!clusters[k].empty()) outline_of(scan, clusters[k], outlines_[k]);
+    outlines_[k].expected = join_.expected_of()[k];
+    if (!joined[k].empty()) outline_of(scan, joined[k], outlines_[k]);
   }
-  return std::span(outlines_).first(clusters.size());
+  return std::span(outlines_).first(joined.size());
 }
 
 void OutlineExtractor::outline_of(const VirtualScan& scan, std::span<const std::uint32_t> indices,
                                   Outline& outline) {
   gather(scan, indices);
   outline.points = static_cast<int>(points_.size());
-  set_summary(scan, order_, outline);
+  set_summary(scan, order_, options_.occlusion.nearer_by_m, outline);
   find_lines(scan, outline);
   find_box(scan, outline);
 }
@@ -126,7 +153,8 @@ void OutlineExtractor::find_lines(const VirtualScan& scan, Outline& outline) {
   outline.lines.assign(lines.begin(), lines.end());
 }
 
-/// The first three lines and the chord bring the headings; more lines make no car.
+/// The first three lines and the chord bring the headings; more lines make no car. That of a track
+/// which expects something here does not: it would confirm itself.
 double OutlineExtractor::find_heading(const Outline& outline, double sigma_range_m) {
   if (options_.outline.search == Search::kFull) return search_(points_, sigma_range_m);
   constexpr std::size_t kMostSeeds = 4;

@@ -7,6 +7,7 @@
 #include "scanfuse/core/options.hpp"
 #include "scanfuse/shape/face_fit.hpp"
 #include "scanfuse/shape/iepf.hpp"
+#include "scanfuse/shape/join.hpp"
 #include "scanfuse/shape/line_fit.hpp"
 #include "scanfuse/shape/occlusion.hpp"
 #include "scanfuse/shape/rectangle_search.hpp"
@@ -68,6 +69,7 @@ struct ShapeOptions {
   IepfOptions iepf;
   FaceFitOptions faces;
   OcclusionOptions occlusion;
+  JoinOptions join;
 };
 
 /// The same options with every length multiplied by `outline.scale`.
@@ -80,10 +82,15 @@ class OutlineExtractor {
  public:
   explicit OutlineExtractor(const ShapeOptions& options = {});
 
-  /// One outline per cluster, in order, in the frame of the scan. Valid until the next call. Empty
-  /// clusters give an outline without points.
+  /// One outline per cluster, in order, in the frame of the scan, after clusters that are pieces of
+  /// one object were joined (see ClusterJoiner). `expected`: where tracks expect vehicles. Valid
+  /// until the next call. Empty clusters give an outline without points.
   [[nodiscard]] std::span<const Outline> operator()(const VirtualScan& scan,
-                                                    const Clusters& clusters);
+                                                    const Clusters& clusters,
+                                                    std::span<const Expected> expected = {});
+
+  /// The clusters that the last outlines are of. Valid as long as the clusters given.
+  [[nodiscard]] const Clusters& clusters() const { return *clusters_; }
 
  private:
   void outline_of(const VirtualScan& scan, std::span<const std::uint32_t> indices,
@@ -95,11 +102,13 @@ class OutlineExtractor {
 
   ShapeOptions options_;
   Iepf iepf_;
+  ClusterJoiner join_;
   RectangleSearch search_;
   RunningSums sums_;
   std::vector<Eigen::Vector2d> points_;
   std::vector<std::uint32_t> order_;
   std::vector<Outline> outlines_;
+  const Clusters* clusters_ = nullptr;
 };
 
 }  // namespace scanfuse::shape

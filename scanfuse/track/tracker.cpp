@@ -1,5 +1,7 @@
 #include "scanfuse/track/tracker.hpp"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <string>
 
@@ -48,6 +50,25 @@ std::optional<double> Tracker::advance_clock(Time stamp) {
   }
   last_ = stamp;
   return jumped ? 0.0 : dt_s;
+}
+
+void Tracker::expect(Time stamp, std::vector<Expected>& expected) const {
+  expected.clear();
+  const double dt_s = last_ ? seconds_between(*last_, stamp) : 0.0;
+  if (dt_s < 0 || dt_s > options_.max_gap_s) return;
+  for (const Target& target : targets_) {
+    const bool is_known =
+        target.status != TrackStatus::kTentative || std::popcount(target.history) > 1;
+    if (!is_known || class_of(target) != ObjectClass::kVehicle) continue;
+    Box2 box = target.box();
+    box.centre_m += dt_s * target.velocity_m_per_s();
+    const auto& P = target.state.covariance;
+    const auto variance = [&](int x, int v) {
+      return P(x, x) + 2 * dt_s * P(x, v) + dt_s * dt_s * P(v, v);
+    };
+    const double worst = std::max({variance(kX, kVx), variance(kY, kVy), 0.0});
+    expected.push_back({box, std::sqrt(worst), ObjectClass::kVehicle});
+  }
 }
 
 void Tracker::select_usable(std::span<const Detection> detections) {

@@ -10,6 +10,7 @@
 #include "scanfuse/track/steps.hpp"
 #include "scanfuse/track/target.hpp"
 #include "scanfuse/types/detection.hpp"
+#include "scanfuse/types/expected.hpp"
 
 namespace scanfuse::track {
 
@@ -31,6 +32,10 @@ class Tracker {
 
   [[nodiscard]] const TrackerOptions& options() const { return options_; }
   [[nodiscard]] const Diagnostics& diagnostics() const { return diagnostics_; }
+
+  /// Where the vehicles tracked will be at `stamp`: confirmed ones, and those hit at least twice.
+  /// In the tracking frame, in the order of their tracks. Nothing after a jump of the clock.
+  void expect(Time stamp, std::vector<Expected>& expected) const;
 
  private:
   /// Seconds since the last scan; nothing when this one comes too late to be used.

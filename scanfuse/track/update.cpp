@@ -14,6 +14,7 @@ namespace scanfuse::track {
 namespace {
 
 constexpr double kAccelMemory_s = 0.5;
+constexpr double kUnsureSpeedDecay_s = 0.5;
 /// Distance of a detection's centre from its seen end is not bounded by the gate: search farther.
 constexpr double kLongestHalf_m = 4;
 
@@ -31,6 +32,11 @@ std::optional<double> gated_cost(const Target& target, const Detection& detectio
   return nis + nu.log_det() + (same_class ? 0.0 : options.class_mismatch_cost);
 }
 
+/// Unseen, and what is believed of its speed may be noise: a parked car must not drift away.
+bool may_stand(const Target& target, const TrackerOptions& options) {
+  return target.missed_frames > 0 && options.sigma_accel > 0 && !course_of(target.state).reliable;
+}
+
 void update_acceleration(Target& target, double speed_before, double dt_s) {
   if (dt_s <= 0 || target.age_frames < 3) return;
   const double raw = (target.velocity_m_per_s().norm() - speed_before) / dt_s;
@@ -45,7 +51,12 @@ void predict(std::vector<Target>& targets, double dt_s, const TrackerOptions& op
   F.topLeftCorner<4, 4>() = estimate::constant_velocity_transition(dt_s);
   Q.topLeftCorner<4, 4>() = estimate::constant_velocity_noise(dt_s, options.sigma_accel);
   for (Target& target : targets) {
-    target.state = estimate::predict(target.state, F, Q);
+    StateMatrix own = F;
+    if (may_stand(target, options)) {
+      const double keep = std::exp(-dt_s / kUnsureSpeedDecay_s);
+      own(kVx, kVx) = own(kVy, kVy) = keep;
+    }
+    target.state = estimate::predict(target.state, own, Q);
     predict_heading(target, dt_s);
   }
 }

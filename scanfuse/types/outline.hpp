@@ -41,10 +41,11 @@ struct Outline {
   double var_range_m2 = 0;   ///< variance of the points' ranges, a feature of [Guo]
   double residual_m = 0;     ///< rms distance of all points from the seen faces
   double inlier_share = 1;   ///< of the points, those within the noise of a seen face
-  double coverage = 1;       ///< points per column between the outermost columns
+  double coverage = 1;       ///< points per column that nothing nearer hides, from end to end
   double var_length_m2 = 0;  ///< of the box's extent between two free ends
   double var_width_m2 = 0;
   std::uint32_t cluster = 0;  ///< which cluster of the scan
+  std::int32_t expected = -1;  ///< which object that a track expects lies here; -1: none
 };
 
 }  // namespace scanfuse

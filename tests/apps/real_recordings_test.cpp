@@ -220,12 +220,15 @@ TEST(RealRoad, VansAndCyclistKeepTheirIdentitiesInTheFullCloud) {
   expect_one_identity("3", 2.0, tracks, 6);  // its second frame in view: 36 returns in the first
 }
 
-/// The cyclist and the half hidden van are not held here yet.
-TEST(RealRoad, TheNearVanKeepsItsIdentityInFourLayers) {
+/// Of the van behind parked cars one layer sees 6 to 18 returns in its first frames, with gaps: it
+/// is held from frame 18 on.
+TEST(RealRoad, VansAndCyclistKeepTheirIdentitiesInFourLayers) {
   SKIP_WITHOUT_SHARED_DATA();
   const auto tracks =
       tracks_of_road((kData / "road/kitti_seq0000/scans_4layer.points.csv.xz").string());
   expect_one_identity("0", 2.0, tracks, 0);
+  expect_one_identity("1", 1.2, tracks, 0);
+  expect_one_identity("3", 2.0, tracks, 18);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace scanfuse::segment {
+namespace scanfuse {
 
 /// Disjoint sets of 0..n-1. The root of a set is its smallest member, whatever the order of joins.
 class DisjointSets {
@@ -34,4 +34,4 @@ class DisjointSets {
   std::vector<std::uint32_t> parents_;
 };
 
-}  // namespace scanfuse::segment
+}  // namespace scanfuse
