@@ -43,7 +43,7 @@ const VirtualScan& VirtualScanBuilder::operator()(const Scan& scan, const Pose3&
   project(scan, rotation);
   find_layers(scan);
   const GroundMethod method = ground_method(scan);
-  find_bearings(scan, method == GroundMethod::kGrid);
+  if (beams_.empty() || method == GroundMethod::kGrid) find_bearings(scan);
   remove_ground(method, sensor_height_m_);
 
   virtual_scan_.stamp = scan.stamp;
@@ -53,14 +53,14 @@ const VirtualScan& VirtualScanBuilder::operator()(const Scan& scan, const Pose3&
   set_view();
   virtual_scan_.full_circle =
       !scan.beams || (scan.beams->columns + 0.5) * virtual_scan_.step_rad >= 2 * kPi;
-  sort_into_columns();
+  sort_into_columns(scan);
   pick_points(scan, method);
   order_by_bearing();
   drop_lonely();
   return virtual_scan_;
 }
 
-/// The bearing stays 0: where the beam tells the column, few points need theirs.
+/// The bearings stay 0: where beams tell the columns, few points need theirs.
 void VirtualScanBuilder::project(const Scan& scan, const Eigen::Matrix3f& rotation) {
   const bool turned = !rotation.isIdentity(0);
   const Region region(options_);
@@ -90,9 +90,8 @@ void VirtualScanBuilder::find_layers(const Scan& scan) {
   layered_ = highest.layer > lowest.layer;
 }
 
-void VirtualScanBuilder::find_bearings(const Scan& scan, bool of_all) {
+void VirtualScanBuilder::find_bearings(const Scan& scan) {
   for (LevelPoint& p : points_) {
-    if (!of_all && p.column != BeamBearings::kNoColumn) continue;
     p.bearing_rad = beams_.bearing_of(p.x_m, p.y_m, scan.returns[p.source].beam);
   }
 }

@@ -34,12 +34,13 @@ class VirtualScanBuilder {
  private:
   void project(const Scan& scan, const Eigen::Matrix3f& rotation);
   void find_layers(const Scan& scan);
-  void find_bearings(const Scan& scan, bool of_all);
+  void find_bearings(const Scan& scan);
   [[nodiscard]] GroundMethod ground_method(const Scan& scan) const;
   void remove_ground(GroundMethod method, std::optional<double> sensor_height_m);
   void set_view();
   [[nodiscard]] double choose_step(const Scan& scan);
-  void sort_into_columns();
+  void sort_into_columns(const Scan& scan);
+  [[nodiscard]] std::uint32_t column_by_bearing(const Scan& scan, const LevelPoint& point) const;
   void pick_points(const Scan& scan, GroundMethod method);
   [[nodiscard]] int support_of(std::span<const RangeKey> column) const;
   void pick_column(const Scan& scan, std::span<const RangeKey> column, GroundMethod method);
@@ -53,6 +54,7 @@ class VirtualScanBuilder {
   GroundGrid ground_;
   std::vector<LevelPoint> points_;
   BeamBearings beams_;
+  ColumnLayout layout_;
   std::vector<float> steps_;
   std::vector<std::uint32_t> ends_;  ///< of each column in `order_`
   std::vector<RangeKey> order_;      ///< points by column, by range within

@@ -18,16 +18,21 @@ float exact_bearing(float x, float y) {
 
 }  // namespace
 
+std::uint32_t VirtualScanBuilder::column_by_bearing(const Scan& scan,
+                                                    const LevelPoint& point) const {
+  if (beams_.empty()) return layout_.at(point.bearing_rad);
+  return layout_.at(beams_.bearing_of(point.x_m, point.y_m, scan.returns[point.source].beam));
+}
+
 /// By counting, so in one pass over the points; then each column by range.
-void VirtualScanBuilder::sort_into_columns() {
-  const ColumnLayout layout =
-      beams_.empty() ? ColumnLayout(-kPi, virtual_scan_.step_rad) : beams_.layout();
-  ends_.assign(layout.last() + 1, 0);
+void VirtualScanBuilder::sort_into_columns(const Scan& scan) {
+  layout_ = beams_.empty() ? ColumnLayout(-kPi, virtual_scan_.step_rad) : beams_.layout();
+  ends_.assign(layout_.last() + 1, 0);
   order_.resize(points_.size());
   const std::span ends(ends_);
   const std::span order(order_);
   for (LevelPoint& p : points_) {
-    if (p.column == BeamBearings::kNoColumn) p.column = layout.at(p.bearing_rad);
+    if (p.column == BeamBearings::kNoColumn) p.column = column_by_bearing(scan, p);
     ++ends[p.column];
   }
   std::exclusive_scan(ends.begin(), ends.end(), ends.begin(), 0U);
