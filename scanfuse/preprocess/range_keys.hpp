@@ -23,6 +23,13 @@ class RangeKey {
   [[nodiscard]] std::uint32_t index() const { return static_cast<std::uint32_t>(bits_); }
   [[nodiscard]] auto operator<=>(const RangeKey&) const = default;
 
+  /// The key where it counts, else one behind all others; without a jump.
+  [[nodiscard]] RangeKey where(bool counts) const {
+    RangeKey key;
+    key.bits_ = bits_ | (std::uint64_t{counts} - 1);
+    return key;
+  }
+
   /// Without a jump, for a processor cannot guess the outcome.
   friend void put_in_order(RangeKey& a, RangeKey& b) {
     const std::uint64_t first = a.bits_, second = b.bits_;
@@ -34,45 +41,31 @@ class RangeKey {
   std::uint64_t bits_ = ~std::uint64_t{0};  ///< behind all others
 };
 
-inline void sort_network(std::array<RangeKey, 4>& k) {
-  put_in_order(k[0], k[1]);
-  put_in_order(k[2], k[3]);
-  put_in_order(k[0], k[2]);
-  put_in_order(k[1], k[3]);
-  put_in_order(k[1], k[2]);
+using FewKeys = std::array<RangeKey, 8>;
+
+/// Puts keys[at] to keys[at + 3] in order.
+inline void sort_four(FewKeys& keys, std::size_t at) {
+  put_in_order(keys[at], keys[at + 1]);
+  put_in_order(keys[at + 2], keys[at + 3]);
+  put_in_order(keys[at], keys[at + 2]);
+  put_in_order(keys[at + 1], keys[at + 3]);
+  put_in_order(keys[at + 1], keys[at + 2]);
 }
 
-/// Batcher's: two sorted halves, merged.
-inline void sort_network(std::array<RangeKey, 8>& k) {
-  for (const std::size_t h : {0, 4}) {
-    put_in_order(k[h], k[h + 1]);
-    put_in_order(k[h + 2], k[h + 3]);
-    put_in_order(k[h], k[h + 2]);
-    put_in_order(k[h + 1], k[h + 3]);
-    put_in_order(k[h + 1], k[h + 2]);
-  }
+/// The first `count` of `keys` in order, 8 at most: few-layer scanners have no more returns of a
+/// bearing, in any order. What follows them in `keys`, up to 8 in all, is read but counts for
+/// nothing: no step hangs on their number (`scanfuse bench speed`, preprocess).
+inline FewKeys sorted_few(std::span<const RangeKey> keys, std::size_t count) {
+  FewKeys k;
+  for (std::size_t i = 0; i < k.size(); ++i) k[i] = keys[i].where(i < count);
+  sort_four(k, 0);
+  if (count <= 4) return k;
+  sort_four(k, 4);
+  // Batcher's merge of two sorted halves.
   for (const std::size_t i : {0, 1, 2, 3}) put_in_order(k[i], k[i + 4]);
   for (const std::size_t i : {2, 3}) put_in_order(k[i], k[i + 2]);
   for (const std::size_t i : {1, 3, 5}) put_in_order(k[i], k[i + 1]);
-}
-
-/// At most N keys, filled up with keys behind all others, so that no step hangs on their number.
-template <std::size_t N>
-void sort_at_most(std::span<RangeKey> keys) {
-  std::array<RangeKey, N> k{};
-  for (std::size_t i = 0; i < keys.size(); ++i) k[i] = keys[i];
-  sort_network(k);
-  for (std::size_t i = 0; i < keys.size(); ++i) keys[i] = k[i];
-}
-
-/// Few-layer scanners have up to eight returns of a bearing, in any order (`scanfuse bench speed`,
-/// preprocess).
-inline void sort_keys(std::span<RangeKey> keys) {
-  if (keys.size() < 2) return;
-  if (keys.size() == 2) return put_in_order(keys[0], keys[1]);
-  if (keys.size() <= 4) return sort_at_most<4>(keys);
-  if (keys.size() <= 8) return sort_at_most<8>(keys);
-  std::ranges::sort(keys);
+  return k;
 }
 
 }  // namespace scanfuse::preprocess

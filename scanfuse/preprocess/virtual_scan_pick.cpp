@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -28,7 +29,7 @@ std::uint32_t VirtualScanBuilder::column_by_bearing(const Scan& scan,
 void VirtualScanBuilder::sort_into_columns(const Scan& scan) {
   layout_ = beams_.empty() ? ColumnLayout(-kPi, virtual_scan_.step_rad) : beams_.layout();
   ends_.assign(layout_.last() + 1, 0);
-  order_.resize(points_.size());
+  order_.resize(points_.size() + std::tuple_size_v<FewKeys>);  // sorted_few reads on
   const std::span ends(ends_);
   const std::span order(order_);
   for (LevelPoint& p : points_) {
@@ -69,13 +70,17 @@ void VirtualScanBuilder::pick_points(const Scan& scan, GroundMethod method) {
   virtual_scan_.points.clear();
   std::uint32_t begin = 0;
   for (const std::uint32_t end : ends_) {
-    const auto column = std::span(order_).subspan(begin, end - begin);
+    const auto rest = std::span(order_).subspan(begin);
+    const auto column = rest.first(end - begin);
     begin = end;
     if (column.empty()) continue;
-    sort_keys(column);
     if (one_layer && most_per_bearing_ == 1) {
-      emit(scan, points_[column.front().index()], 1);
+      emit(scan, points_[std::ranges::min(column).index()], 1);
+    } else if (FewKeys few; column.size() <= few.size()) {
+      few = sorted_few(rest, column.size());
+      pick_column(scan, std::span(few).first(column.size()), method);
     } else {
+      std::ranges::sort(column);
       pick_column(scan, column, method);
     }
   }

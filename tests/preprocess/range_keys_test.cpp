@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <span>
 #include <vector>
 
 #include "scanfuse/core/random.hpp"
@@ -21,18 +23,18 @@ TEST(RangeKey, OrderIsByRangeThenByIndex) {
   EXPECT_LT(RangeKey(1e4F, 9), RangeKey());
 }
 
-TEST(RangeKey, SortingPutsAnyNumberInOrder) {
+TEST(RangeKey, SortingAFewPutsThemInOrderWhateverFollows) {
   RandomStream random(5);
-  for (std::uint32_t size = 0; size < 20; ++size) {
-    for (int round = 0; round < 200; ++round) {
+  for (std::size_t count = 0; count <= 8; ++count) {
+    for (int round = 0; round < 500; ++round) {
       std::vector<RangeKey> keys;
-      for (std::uint32_t i = 0; i < size; ++i) {
+      for (std::uint32_t i = 0; i < 8; ++i) {
         keys.emplace_back(static_cast<float>(static_cast<int>(random.uniform(1, 12))), i);
       }
-      auto expected = keys;
-      std::ranges::sort(expected);
-      sort_keys(keys);
-      ASSERT_EQ(keys, expected) << size;
+      const FewKeys few = sorted_few(keys, count);
+      keys.resize(count);
+      std::ranges::sort(keys);
+      ASSERT_TRUE(std::ranges::equal(std::span(few).first(count), keys)) << count;
     }
   }
 }
