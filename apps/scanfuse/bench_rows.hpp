@@ -36,9 +36,9 @@ struct SeedRange {
                                                         const std::vector<std::string>& changes,
                                                         int threads);
 
-/// How long one scan of four layers and 440 columns takes on one core, the whole chain and each of
-/// its stages (thread CPU time, which other processes do not lengthen; wall time beside it), and
-/// how the time of clustering grows with the number of points, 1 k to 1 M.
+/// How long one scan of four layers, or one, and 440 columns takes on one core, the whole chain and
+/// each of its stages (thread CPU time, which other processes do not lengthen; wall time beside
+/// it), and how the time of clustering grows with the number of points, 1 k to 1 M.
 [[nodiscard]] Result<std::vector<BenchRow>> bench_speed(std::uint64_t seed,
                                                         const std::string& preset,
                                                         const std::vector<std::string>& changes);

@@ -13,9 +13,9 @@ struct LevelPoint {
   float y_m = 0;
   float z_m = 0;
   float range_m = 0;         ///< in the plane
-  float bearing_rad = 0;     ///< good to 1e-5 rad
+  float bearing_rad = 0;     ///< good to 1e-5 rad; may be left 0 where the column is known
   std::uint32_t source = 0;  ///< index into Scan::returns
-  std::uint32_t column = 0;
+  std::uint32_t column = 0;  ///< or BeamBearings::kNoColumn
   std::int16_t layer = 0;
 };
 

@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "scanfuse/geometry/pose.hpp"
+#include "scanfuse/preprocess/beam_bearings.hpp"
 #include "scanfuse/preprocess/ground_grid.hpp"
 #include "scanfuse/preprocess/options.hpp"
+#include "scanfuse/preprocess/range_keys.hpp"
 #include "scanfuse/types/scan.hpp"
 #include "scanfuse/types/virtual_scan.hpp"
 
@@ -31,36 +33,31 @@ class VirtualScanBuilder {
 
  private:
   void project(const Scan& scan, const Eigen::Matrix3f& rotation);
-  void prepare_columns(const Scan& scan, const Eigen::Matrix3f& rotation);
+  void find_layers(const Scan& scan);
+  void find_bearings(const Scan& scan);
   [[nodiscard]] GroundMethod ground_method(const Scan& scan) const;
   void remove_ground(GroundMethod method, std::optional<double> sensor_height_m);
   void set_view();
   [[nodiscard]] double choose_step(const Scan& scan);
   void sort_into_columns(const Scan& scan);
+  [[nodiscard]] std::uint32_t column_by_bearing(const Scan& scan, const LevelPoint& point) const;
   void pick_points(const Scan& scan, GroundMethod method);
-  [[nodiscard]] int support_of(std::span<const std::uint64_t> column) const;
-  void pick_column(const Scan& scan, std::span<const std::uint64_t> column, GroundMethod method);
+  [[nodiscard]] int support_of(std::span<const RangeKey> column) const;
+  void pick_column(const Scan& scan, std::span<const RangeKey> column, GroundMethod method);
   [[nodiscard]] bool is_lonely_ground(const LevelPoint& point, GroundMethod method) const;
   void emit(const Scan& scan, const LevelPoint& point, int support);
   void order_by_bearing();
   void drop_lonely();
 
-  struct BeamDirection {
-    float cosine = 1;
-    float sine = 0;
-    float bearing_rad = 0;
-  };
-
   PreprocessOptions options_;
   VirtualScan virtual_scan_;
   GroundGrid ground_;
   std::vector<LevelPoint> points_;
-  std::vector<BeamDirection> beams_;
-  double beams_first_rad_ = 0;
-  double beams_step_rad_ = 0;
+  BeamBearings beams_;
+  ColumnLayout layout_;
   std::vector<float> steps_;
-  std::vector<std::uint32_t> ends_;   ///< of each column in `order_`
-  std::vector<std::uint64_t> order_;  ///< points by column, by range within: range and index
+  std::vector<std::uint32_t> ends_;  ///< of each column in `order_`
+  std::vector<RangeKey> order_;      ///< points by column, by range within
   std::vector<std::uint8_t> keep_;
   std::int16_t lowest_layer_ = 0;
   bool layered_ = false;

@@ -9,9 +9,8 @@ namespace scanfuse::segment {
 
 const Clusters& Pag::operator()(const VirtualScan& scan) {
   const auto& points = scan.points;
-  table_.reset(points.size());
   weights_.clear();
-  cell_of_.clear();
+  cell_of_.assign(points.size(), CellTable::kNone);
   if (options_.cells == PagCells::kGrowing) {
     fill_rings(scan);
   } else {
@@ -24,25 +23,24 @@ const Clusters& Pag::operator()(const VirtualScan& scan) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     labels_[i] = cell_of_[i] == CellTable::kNone ? Gatherer::kNoise : owners_[cell_of_[i]];
   }
-  return gather_(labels_, table_.size(), options_.min_points);
+  return gather_(labels_, weights_.size(), options_.min_points);
 }
 
-void Pag::place(CellTable::Cell cell, float weight) {
-  const std::uint32_t number = table_.insert(cell);
-  if (number == weights_.size()) weights_.push_back(0);
-  weights_[number] += weight;
-  cell_of_.push_back(number);
+void Pag::place(std::size_t point, std::uint32_t cell, float weight) {
+  if (cell == weights_.size()) weights_.push_back(0);
+  weights_[cell] += weight;
+  cell_of_[point] = cell;
 }
 
 void Pag::fill_rings(const VirtualScan& scan) {
   const double growth = std::clamp(2 * scan.step_rad, options_.growth, 0.5);
   rings_.lay_out({options_.cell_m, growth, options_.depth, options_.range_max_m});
+  ring_cells_.reset(static_cast<std::size_t>(rings_.rings()));
   const auto limit = static_cast<float>(options_.range_max_m);
-  for (const PlanarPoint& p : scan.points) {
+  for (std::size_t i = 0; i < scan.points.size(); ++i) {
+    const PlanarPoint& p = scan.points[i];
     if (p.range_m < limit) {
-      place(rings_.cell(p.range_m, p.bearing_rad), 1);
-    } else {
-      cell_of_.push_back(CellTable::kNone);
+      place(i, ring_cells_.insert(rings_.cell(p.range_m, p.bearing_rad)), 1);
     }
   }
 }
@@ -50,12 +48,12 @@ void Pag::fill_rings(const VirtualScan& scan) {
 void Pag::fill_squares(const VirtualScan& scan) {
   const auto limit = static_cast<float>(options_.range_max_m);
   const double size = square_size(scan);
-  for (const PlanarPoint& p : scan.points) {
+  table_.reset(scan.points.size());
+  for (std::size_t i = 0; i < scan.points.size(); ++i) {
+    const PlanarPoint& p = scan.points[i];
     if (p.range_m < limit) {
-      place({cell_index(p.y_m, size), cell_index(p.x_m, size)},
+      place(i, table_.insert({cell_index(p.y_m, size), cell_index(p.x_m, size)}),
             std::clamp(p.range_m / 15.0F, 0.3F, 5.0F));
-    } else {
-      cell_of_.push_back(CellTable::kNone);
     }
   }
 }
@@ -101,36 +99,37 @@ void Pag::mark_dense() {
 }
 
 template <class Visit>
-void Pag::for_later_neighbours(std::uint32_t cell, Visit visit) const {
-  const CellTable::Cell here = table_[cell];
-  const auto look = [&](CellTable::Cell other) {
-    const std::uint32_t number = table_.find(other);
-    if (number != CellTable::kNone && number != cell) visit(number);
-  };
-  if (options_.cells == PagCells::kGrowing) {
-    rings_.for_later_neighbours(here, look);
-    return;
+void Pag::for_square_neighbours(Visit visit) const {
+  for (std::uint32_t i = 0; i < table_.size(); ++i) {
+    const auto [row, column] = table_[i];
+    for (const CellTable::Cell other : {CellTable::Cell{row, column + 1},
+                                        {row + 1, column - 1},
+                                        {row + 1, column},
+                                        {row + 1, column + 1}}) {
+      if (const auto j = table_.find(other); j != CellTable::kNone) visit(i, j);
+    }
   }
-  look({here.row, here.column + 1});
-  for (std::int32_t column = here.column - 1; column <= here.column + 1; ++column) {
-    look({here.row + 1, column});
+}
+
+void Pag::join_dense() {
+  sets_.reset(weights_.size());
+  owners_.assign(weights_.size(), CellTable::kNone);
+  const auto visit = [this](std::uint32_t a, std::uint32_t b) { relate(a, b); };
+  if (options_.cells == PagCells::kGrowing) {
+    ring_cells_.for_neighbours(rings_, visit);
+  } else {
+    for_square_neighbours(visit);
   }
 }
 
 /// Dense neighbours join; a low cell is offered each of its dense neighbours.
-void Pag::join_dense() {
-  sets_.reset(table_.size());
-  owners_.assign(table_.size(), CellTable::kNone);
-  for (std::uint32_t i = 0; i < table_.size(); ++i) {
-    for_later_neighbours(i, [&](std::uint32_t other) {
-      if (dense_[i] && dense_[other]) {
-        sets_.join(i, other);
-      } else if (dense_[i]) {
-        offer(other, i);
-      } else if (dense_[other]) {
-        offer(i, other);
-      }
-    });
+void Pag::relate(std::uint32_t a, std::uint32_t b) {
+  if (dense_[a] && dense_[b]) {
+    sets_.join(a, b);
+  } else if (dense_[a]) {
+    offer(b, a);
+  } else if (dense_[b]) {
+    offer(a, b);
   }
 }
 
@@ -142,7 +141,7 @@ void Pag::offer(std::uint32_t low, std::uint32_t dense) {
 }
 
 void Pag::absorb_low() {
-  for (std::uint32_t i = 0; i < table_.size(); ++i) {
+  for (std::uint32_t i = 0; i < weights_.size(); ++i) {
     const std::uint32_t owner = dense_[i] ? i : owners_[i];
     owners_[i] = owner == CellTable::kNone ? Gatherer::kNoise : sets_.find(owner);
   }

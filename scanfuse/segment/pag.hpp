@@ -10,6 +10,7 @@
 #include "scanfuse/segment/cell_table.hpp"
 #include "scanfuse/core/disjoint_sets.hpp"
 #include "scanfuse/segment/gather.hpp"
+#include "scanfuse/segment/ring_cells.hpp"
 #include "scanfuse/segment/ring_grid.hpp"
 #include "scanfuse/types/clusters.hpp"
 #include "scanfuse/types/virtual_scan.hpp"
@@ -67,7 +68,7 @@ struct PagOptions {
 ///  it,
 ///    reaching it is enough;
 ///  - a low cell goes to the densest of its dense neighbours and never bridges two clusters.
-/// Time and memory follow the number of points, whatever the area.
+/// Time and memory follow the number of points, whatever the area. Points come in order of bearing.
 class Pag {
  public:
   explicit Pag(PagOptions options = {}) : options_(options) {}
@@ -77,18 +78,20 @@ class Pag {
  private:
   void fill_rings(const VirtualScan& scan);
   void fill_squares(const VirtualScan& scan);
-  void place(CellTable::Cell cell, float weight);
+  void place(std::size_t point, std::uint32_t cell, float weight);
   [[nodiscard]] double square_size(const VirtualScan& scan);
   void mark_dense();
   void join_dense();
   void absorb_low();
   void offer(std::uint32_t low, std::uint32_t dense);
+  void relate(std::uint32_t a, std::uint32_t b);
   template <class Visit>
-  void for_later_neighbours(std::uint32_t cell, Visit visit) const;
+  void for_square_neighbours(Visit visit) const;
 
   PagOptions options_;
   RingGrid rings_;
-  CellTable table_;
+  RingCells ring_cells_;
+  CellTable table_;                     ///< of square cells
   std::vector<std::uint32_t> cell_of_;  ///< of each point
   std::vector<float> weights_;          ///< of each cell
   std::vector<std::uint8_t> dense_;

@@ -11,6 +11,7 @@ void RingGrid::lay_out(const Shape& shape) {
   shape_ = shape;
   edges_.clear();
   counts_.clear();
+  scales_.clear();
   shortcut_.clear();
   double inner = 0;
   while (inner < shape.range_max_m) {
@@ -22,6 +23,9 @@ void RingGrid::lay_out(const Shape& shape) {
     inner += depth;
   }
   edges_.push_back(static_cast<float>(inner));
+  for (std::size_t i = 0; i + 1 < counts_.size(); ++i) {
+    scales_.push_back(static_cast<double>(counts_[i + 1]) / counts_[i]);
+  }
   std::int32_t ring = 0;
   const auto shortcuts = static_cast<std::size_t>(inner * kShortcutsPerMetre) + 2;
   for (std::size_t i = 0; i < shortcuts; ++i) {

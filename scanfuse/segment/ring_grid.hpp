@@ -27,26 +27,31 @@ class RingGrid {
   /// The cell at a range in [0, range_max_m) and a bearing in [-pi, pi].
   [[nodiscard]] CellTable::Cell cell(float range_m, float bearing_rad) const;
 
-  /// Calls visit(cell) for the cells that touch `cell` and come after it: the next one on its ring
-  /// and those on the ring outside. Over all cells, every touching pair is visited once.
-  template <class Visit>
-  void for_later_neighbours(CellTable::Cell cell, Visit visit) const {
-    const std::int32_t around = counts_[static_cast<std::size_t>(cell.row)];
-    if (around > 1)
-      visit(CellTable::Cell{cell.row, cell.column + 1 < around ? cell.column + 1 : 0});
-    const std::int32_t row = cell.row + 1;
-    if (row >= static_cast<std::int32_t>(counts_.size())) return;
-    const std::int32_t other = counts_[static_cast<std::size_t>(row)];
-    const double scale = static_cast<double>(other) / around;
+  [[nodiscard]] std::int32_t rings() const { return static_cast<std::int32_t>(counts_.size()); }
+  /// Cells around a ring.
+  [[nodiscard]] std::int32_t around(std::int32_t row) const {
+    return counts_[static_cast<std::size_t>(row)];
+  }
+
+  /// Columns first to last of a ring; below 0 and from `around` on they go on at its other end.
+  struct Columns {
+    std::int32_t first = 0;
+    std::int32_t last = 0;
+    std::int32_t around = 1;
+    [[nodiscard]] bool cross_the_seam() const { return first < 0 || last >= around; }
+    [[nodiscard]] bool contain(std::int32_t column) const {
+      return (column >= first && column <= last) || column - around >= first ||
+             column + around <= last;
+    }
+  };
+  /// Those on the ring outside that touch `cell`, which is not on the last ring.
+  [[nodiscard]] Columns touched_outside(CellTable::Cell cell) const {
+    const auto row = static_cast<std::size_t>(cell.row);
+    const double scale = scales_[row];
     // Half a cell more at each end stands for the corners that touch on a square grid. One is added
     // and taken away again, so that the conversion rounds down.
-    auto first = static_cast<std::int32_t>(cell.column * scale + 0.5) - 1;
-    auto last = static_cast<std::int32_t>((cell.column + 1) * scale + 0.5);
-    if (last - first >= other) first = 0, last = other - 1;
-    for (std::int32_t column = first; column <= last; ++column) {
-      visit(CellTable::Cell{
-          row, column < 0 ? column + other : (column < other ? column : column - other)});
-    }
+    return {static_cast<std::int32_t>(cell.column * scale + 0.5) - 1,
+            static_cast<std::int32_t>((cell.column + 1) * scale + 0.5), counts_[row + 1]};
   }
 
  private:
@@ -55,6 +60,7 @@ class RingGrid {
   Shape shape_;
   std::vector<float> edges_;            ///< inner radius of each ring, and the outer end
   std::vector<std::int32_t> counts_;    ///< cells around each ring
+  std::vector<double> scales_;          ///< cells of the next ring over those of each
   std::vector<std::int32_t> shortcut_;  ///< the ring at each multiple of kShortcut
 };
 

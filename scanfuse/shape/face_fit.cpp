@@ -6,33 +6,47 @@
 #include <cmath>
 #include <limits>
 
+#include "scanfuse/shape/four.hpp"
+
 namespace scanfuse::shape {
 namespace {
 
 constexpr std::size_t kMostFacePoints = 64;
 constexpr float kCauchyScale2 = 2.385f * 2.385f;
-using Column = std::array<float, kMostFacePoints>;
+constexpr float kInlierZ2 = 9;
 
-/// Points about their mean, and the directions of their beams.
+/// Points against their sides, four at a time: residual and its variance, place along the side,
+/// weight over variance, 1 where the side is the first.
+struct Residual {
+  Four r, variance, along, w, is_first;
+};
+
+/// Points about their mean.
 struct FacePoints {
   Eigen::Vector2d pivot = Eigen::Vector2d::Zero();
   std::size_t count = 0;
-  Column x, y, beam_x, beam_y;  ///< the first `count` are set
+  std::size_t fours = 0;
+  FourColumn<kMostFacePoints> x, y;  ///< the first `fours` are set
+  FourColumn<kMostFacePoints> per_range2;
+  FourColumn<kMostFacePoints> counts;  ///< 1; 0 for what fills up the last four
 };
 
 FacePoints thin(std::span<const Eigen::Vector2d> points) {
   FacePoints out;
   for (const auto& p : points) out.pivot += p;
   out.pivot /= static_cast<double>(points.size());
+  const auto set = [&out](std::size_t i, const Eigen::Vector2d& p, float counts) {
+    out.x.set(i, static_cast<float>(p.x() - out.pivot.x()));
+    out.y.set(i, static_cast<float>(p.y() - out.pivot.y()));
+    out.counts.set(i, counts);
+  };
   const std::size_t stride = (points.size() + kMostFacePoints - 1) / kMostFacePoints;
-  for (std::size_t i = 0; i < points.size(); i += stride) {
-    const Eigen::Vector2d& p = points[i];
-    const double inverse = 1 / std::max(p.norm(), 1e-6);
-    out.x[out.count] = static_cast<float>(p.x() - out.pivot.x());
-    out.y[out.count] = static_cast<float>(p.y() - out.pivot.y());
-    out.beam_x[out.count] = static_cast<float>(p.x() * inverse);
-    out.beam_y[out.count] = static_cast<float>(p.y() * inverse);
-    ++out.count;
+  for (std::size_t i = 0; i < points.size(); i += stride) set(out.count++, points[i], 1);
+  out.fours = (out.count + 3) / 4;
+  for (std::size_t i = out.count; i < 4 * out.fours; ++i) set(i, points.front(), 0);
+  for (std::size_t i = 0; i < out.fours; ++i) {
+    const Four x = out.x[i] + four(out.pivot.x()), y = out.y[i] + four(out.pivot.y());
+    out.per_range2[i] = four(1) / max(x * x + y * y, four(1e-12));
   }
   return out;
 }
@@ -40,28 +54,35 @@ FacePoints thin(std::span<const Eigen::Vector2d> points) {
 /// State of the fit: two orthogonal outward normals, offsets about the pivot.
 struct Sides {
   double heading_rad = 0;  ///< of the first axis
+  double cosine = 1, sine = 0;
   std::array<double, 2> sign{1, 1};
   std::array<double, 2> offset{};
   std::array<bool, 2> seen{true, true};
 
+  void turn_to(double heading) {
+    heading_rad = heading;
+    cosine = std::cos(heading);
+    sine = std::sin(heading);
+  }
   [[nodiscard]] std::array<Eigen::Vector2d, 2> normals() const {
-    const double c = std::cos(heading_rad), s = std::sin(heading_rad);
-    return {Eigen::Vector2d(sign[0] * c, sign[0] * s), Eigen::Vector2d(-sign[1] * s, sign[1] * c)};
+    return {Eigen::Vector2d(sign[0] * cosine, sign[0] * sine),
+            Eigen::Vector2d(-sign[1] * sine, sign[1] * cosine)};
   }
 };
 
-/// Every point against its side: squared residual in sigmas, residual, place along the side, weight
-/// over variance, and 1 where the side is the first.
-struct Residuals {
-  Column z2, r, along, w, is_first;
+/// Sums of the normal equations; those with 0 over the points of the first side.
+struct Sums {
+  double w = 0, w0 = 0, along = 0, along0 = 0, along2 = 0;
+  double r = 0, r0 = 0, along_r = 0;
 };
 
 /// What the residuals tell about the sides.
 struct Tally {
   double squares = 0;
-  int inliers = 0;
+  double inliers = 0;
+  double trust = 0, chi2 = 0;  ///< Cauchy's weights, and squared residuals with them
   std::array<int, 2> points{};
-  std::array<float, 2> low{1e9f, 1e9f}, high{-1e9f, -1e9f};  ///< along each side
+  std::array<float, 2> low{}, high{};  ///< along each side
 };
 
 class FaceFitter {
@@ -95,19 +116,19 @@ class FaceFitter {
  private:
   Sides start(double heading_rad) const {
     Sides sides;
-    sides.heading_rad = heading_rad;
+    sides.turn_to(heading_rad);
     const auto axes = sides.normals();
     for (const std::size_t k : {0, 1}) {
       if (axes[k].dot(points_.pivot) > 0) sides.sign[k] = -1;
     }
     const auto n = sides.normals();
     for (const std::size_t k : {0, 1}) {
-      float most = -std::numeric_limits<float>::infinity();
-      const auto nx = static_cast<float>(n[k].x()), ny = static_cast<float>(n[k].y());
-      for (std::size_t i = 0; i < points_.count; ++i) {
-        most = std::max(most, nx * points_.x[i] + ny * points_.y[i]);
+      const Four nx = four(n[k].x()), ny = four(n[k].y());
+      Four most = four(-std::numeric_limits<float>::infinity());
+      for (std::size_t i = 0; i < points_.fours; ++i) {
+        most = max(most, nx * points_.x[i] + ny * points_.y[i]);
       }
-      sides.offset[k] = most;
+      sides.offset[k] = highest(most);
     }
     return sides;
   }
@@ -122,47 +143,65 @@ class FaceFitter {
                              : (before[0] > before[1] ? 0 : 1)] = true;
   }
 
-  /// Fills residuals_. Without branches, so that compilers make it vector code.
+  /// Fills residuals_ and sums_.
   void measure(Sides& sides) {
     const auto n = sides.normals();
     see(sides, n);
-    const auto n0x = static_cast<float>(n[0].x()), n0y = static_cast<float>(n[0].y());
-    const auto n1x = static_cast<float>(n[1].x()), n1y = static_cast<float>(n[1].y());
-    const auto o0 = static_cast<float>(sides.offset[0]), o1 = static_cast<float>(sides.offset[1]);
-    const float far0 = sides.seen[0] ? 0.0f : 1e12f, far1 = sides.seen[1] ? 0.0f : 1e12f;
-    const float range = variance_range_, surface = variance_surface_;
-    const auto& p = points_;
-    auto& out = residuals_;
-    for (std::size_t i = 0; i < p.count; ++i) {
-      const float r0 = n0x * p.x[i] + n0y * p.y[i] - o0, r1 = n1x * p.x[i] + n1y * p.y[i] - o1;
-      const float t0 = n0x * p.y[i] - n0y * p.x[i], t1 = n1x * p.y[i] - n1y * p.x[i];
-      const float s0 = n0x * p.beam_x[i] + n0y * p.beam_y[i];
-      const float s1 = n1x * p.beam_x[i] + n1y * p.beam_y[i];
-      const float v0 = surface + range * s0 * s0, v1 = surface + range * s1 * s1;
-      const float first = (r0 * r0 + far0) * v1 <= (r1 * r1 + far1) * v0 ? 1.0f : 0.0f;
-      const float second = 1.0f - first;
-      const float r = first * r0 + second * r1, v = first * v0 + second * v1;
-      const float z2 = r * r / v;
-      out.z2[i] = z2;
-      out.r[i] = r;
-      out.along[i] = first * t0 + second * t1;
-      out.w[i] = kCauchyScale2 / ((kCauchyScale2 + z2) * v);
-      out.is_first[i] = first;
+    const Four n0x = four(n[0].x()), n0y = four(n[0].y());
+    const Four n1x = four(n[1].x()), n1y = four(n[1].y());
+    const Four pivot0 = four(n[0].dot(points_.pivot)), pivot1 = four(n[1].dot(points_.pivot));
+    const Four o0 = four(sides.offset[0]), o1 = four(sides.offset[1]);
+    const Four far0 = four(sides.seen[0] ? 0 : 1e12), far1 = four(sides.seen[1] ? 0 : 1e12);
+    const Four range = four(variance_range_), surface = four(variance_surface_);
+    Four w_sum{}, w0_sum{}, along_sum{}, along0_sum{}, along2_sum{}, r_sum{}, r0_sum{}, ar_sum{};
+    for (std::size_t i = 0; i < points_.fours; ++i) {
+      const Four x = points_.x[i], y = points_.y[i], per_range2 = points_.per_range2[i];
+      const Four q0 = n0x * x + n0y * y, q1 = n1x * x + n1y * y;
+      const Four r0 = q0 - o0, r1 = q1 - o1;
+      const Four slant0 = q0 + pivot0, slant1 = q1 + pivot1;  // n . u times the range
+      const Four v0 = surface + range * slant0 * slant0 * per_range2;
+      const Four v1 = surface + range * slant1 * slant1 * per_range2;
+      const auto first = (r0 * r0 + far0) * v1 <= (r1 * r1 + far1) * v0;
+      const Four r = first ? r0 : r1, v = first ? v0 : v1;
+      const Four along = first ? n0x * y - n0y * x : n1x * y - n1y * x;
+      const Four w = points_.counts[i] * kCauchyScale2 / (kCauchyScale2 * v + r * r);
+      const Four w0 = first ? w : Four{}, wa = w * along, wr = w * r;
+      residuals_[i] = {r, v, along, w, first ? four(1) : Four{}};
+      w_sum += w, w0_sum += w0;
+      along_sum += wa, along0_sum += w0 * along, along2_sum += wa * along;
+      r_sum += wr, r0_sum += w0 * r, ar_sum += wa * r;
     }
+    sums_ = {sum(w_sum),      sum(w0_sum), sum(along_sum), sum(along0_sum),
+             sum(along2_sum), sum(r_sum),  sum(r0_sum),    sum(ar_sum)};
   }
 
   Tally tally() const {
-    Tally t;
-    for (std::size_t i = 0; i < points_.count; ++i) {
-      const std::size_t side = residuals_.is_first[i] > 0 ? 0 : 1;
-      t.squares += residuals_.r[i] * residuals_.r[i];
-      t.points[side] += 1;
-      if (residuals_.z2[i] >= 9) continue;
-      ++t.inliers;
-      t.low[side] = std::min(t.low[side], residuals_.along[i]);
-      t.high[side] = std::max(t.high[side], residuals_.along[i]);
+    const Four none = four(1e9);
+    std::array<Four, 2> low{none, none}, high{-none, -none};
+    Four squares{}, inliers{}, first_points{}, trust{}, chi2{};
+    for (std::size_t i = 0; i < points_.fours; ++i) {
+      const Residual& p = residuals_[i];
+      const Four counts = points_.counts[i];
+      const Four inlier = p.r * p.r < kInlierZ2 * p.variance ? counts : Four{};
+      const Four first = inlier * p.is_first, second = inlier - first;
+      squares += counts * p.r * p.r;
+      inliers += inlier;
+      first_points += counts * p.is_first;
+      trust += p.w * p.variance;
+      chi2 += p.w * p.r * p.r;
+      low[0] = min(low[0], first > 0 ? p.along : none);
+      low[1] = min(low[1], second > 0 ? p.along : none);
+      high[0] = max(high[0], first > 0 ? p.along : -none);
+      high[1] = max(high[1], second > 0 ? p.along : -none);
     }
-    return t;
+    const int of_first = static_cast<int>(sum(first_points));
+    return {sum(squares),
+            sum(inliers),
+            sum(trust),
+            sum(chi2),
+            {of_first, static_cast<int>(points_.count) - of_first},
+            {lowest(low[0]), lowest(low[1])},
+            {highest(high[0]), highest(high[1])}};
   }
 
   /// A second side of few points or little length is a rounded corner or an edge return.
@@ -187,21 +226,13 @@ class FaceFitter {
     return std::max(std::abs(t.low[side] - corner), std::abs(t.high[side] - corner));
   }
 
-  using Values = Eigen::Map<const Eigen::ArrayXf>;
-  Values values(const Column& column) const {
-    return {column.data(), static_cast<Eigen::Index>(points_.count)};
-  }
-
   /// Normal equations in (offset 0, offset 1, heading), held up by weak priors. The residual
   /// n . q - d changes with heading by the place along the side, with d by -1.
   Eigen::Matrix3d information(const Sides& sides) const {
-    const Values w = values(residuals_.w), first = values(residuals_.is_first);
-    const Values along = values(residuals_.along);
-    const double both = w.sum(), w0 = (w * first).sum();
-    const double along_both = (w * along).sum(), along0 = (w * first * along).sum();
+    const Sums& s = sums_;
     Eigen::Matrix3d a;
-    a << w0 + 1e-4, 0, -along0, 0, both - w0 + 1e-4, along0 - along_both, -along0,
-        along0 - along_both, (w * along * along).sum() + 1.0;
+    a << s.w0 + 1e-4, 0, -s.along0, 0, s.w - s.w0 + 1e-4, s.along0 - s.along, -s.along0,
+        s.along0 - s.along, s.along2 + 1.0;
     for (const Eigen::Index k : {0, 1}) {
       if (!sides.seen[static_cast<std::size_t>(k)]) a(k, k) += 1;
     }
@@ -210,14 +241,11 @@ class FaceFitter {
 
   /// One Gauss-Newton step; whether it moved next to nothing.
   bool step(Sides& sides) const {
-    const Values w = values(residuals_.w), first = values(residuals_.is_first);
-    const Values along = values(residuals_.along), r = values(residuals_.r);
-    const double r_both = (w * r).sum(), r0 = (w * first * r).sum();
-    const Eigen::Vector3d g(r0, r_both - r0, -(w * along * r).sum());
+    const Eigen::Vector3d g(sums_.r0, sums_.r - sums_.r0, -sums_.along_r);
     const Eigen::Vector3d delta = information(sides).inverse() * g;
     sides.offset[0] += delta[0];
     sides.offset[1] += delta[1];
-    sides.heading_rad += std::clamp(delta[2], -0.2, 0.2);
+    sides.turn_to(sides.heading_rad + std::clamp(delta[2], -0.2, 0.2));
     const double small = 0.05 * std::sqrt(static_cast<double>(variance_range_ + variance_surface_));
     return std::abs(delta[2]) < 1e-3 && delta.head<2>().cwiseAbs().maxCoeff() < small;
   }
@@ -233,11 +261,9 @@ class FaceFitter {
     };
     FaceFit fit{face(first),      face(second), points_.pivot, {}, std::sqrt(t.squares / count),
                 t.inliers / count};
-    const auto trust = kCauchyScale2 / (kCauchyScale2 + values(residuals_.z2));
-    const double weight = trust.sum(), chi2 = (trust * values(residuals_.z2)).sum();
     const double parameters = fit.two() ? 3 : 2;
     const double scale =
-        (chi2 + kPriorPoints) / (std::max(weight - parameters, 0.0) + kPriorPoints);
+        (t.chi2 + kPriorPoints) / (std::max(t.trust - parameters, 0.0) + kPriorPoints);
     fit.covariance = information(sides).inverse() * std::max(scale, 0.5);
     if (first == 1) {
       fit.covariance.row(0).swap(fit.covariance.row(1));
@@ -247,7 +273,8 @@ class FaceFitter {
   }
 
   FacePoints points_;
-  Residuals residuals_;
+  std::array<Residual, kMostFacePoints / 4> residuals_;
+  Sums sums_;
   FaceFitOptions options_;
   float variance_range_;
   float variance_surface_;

@@ -1,0 +1,172 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "scanfuse/preprocess/virtual_scan_builder.hpp"
+
+// The second half of VirtualScanBuilder: from points without ground to one point a bearing.
+namespace scanfuse::preprocess {
+namespace {
+
+constexpr float kLowLonely = 0.3F;  // m above ground: a return without support is ground below this
+constexpr float kLowLonelyPerMetre = 0.01F;
+
+float exact_bearing(float x, float y) {
+  const float angle = std::atan2(y, x);
+  return angle >= static_cast<float>(kPi) ? -static_cast<float>(kPi) : angle;
+}
+
+}  // namespace
+
+std::uint32_t VirtualScanBuilder::column_by_bearing(const Scan& scan,
+                                                    const LevelPoint& point) const {
+  if (beams_.empty()) return layout_.at(point.bearing_rad);
+  return layout_.at(beams_.bearing_of(point.x_m, point.y_m, scan.returns[point.source].beam));
+}
+
+/// By counting, so in one pass over the points; then each column by range.
+void VirtualScanBuilder::sort_into_columns(const Scan& scan) {
+  layout_ = beams_.empty() ? ColumnLayout(-kPi, virtual_scan_.step_rad) : beams_.layout();
+  ends_.assign(layout_.last() + 1, 0);
+  order_.resize(points_.size() + std::tuple_size_v<FewKeys>);  // sorted_few reads on
+  const std::span ends(ends_);
+  const std::span order(order_);
+  for (LevelPoint& p : points_) {
+    if (p.column == BeamBearings::kNoColumn) p.column = column_by_bearing(scan, p);
+    ++ends[p.column];
+  }
+  std::exclusive_scan(ends.begin(), ends.end(), ends.begin(), 0U);
+  std::uint32_t index = 0;
+  for (const LevelPoint& p : points_) order[ends[p.column]++] = RangeKey(p.range_m, index++);
+}
+
+int VirtualScanBuilder::support_of(std::span<const RangeKey> column) const {
+  const float reach = column[0].range_m() + static_cast<float>(options_.support_m);
+  std::uint64_t layers = 0;
+  int count = 0, distinct = 0;
+  for (const RangeKey key : column) {
+    if (key.range_m() > reach) break;
+    const int layer = points_[key.index()].layer & 63;
+    distinct += (layers >> layer & 1) == 0 ? 1 : 0;
+    layers |= 1ULL << layer;
+    ++count;
+  }
+  return layered_ ? distinct : count;
+}
+
+bool VirtualScanBuilder::is_lonely_ground(const LevelPoint& point, GroundMethod method) const {
+  if (method != GroundMethod::kLayers) return false;
+  if (point.layer == lowest_layer_) return true;
+  return sensor_height_m_ && point.z_m + static_cast<float>(*sensor_height_m_) <
+                                 kLowLonely + kLowLonelyPerMetre * point.range_m;
+}
+
+void VirtualScanBuilder::pick_points(const Scan& scan, GroundMethod method) {
+  const bool one_layer = !layered_ && method != GroundMethod::kGrid;
+  const bool seen_over = !scan.beams || method == GroundMethod::kGrid;
+  most_per_bearing_ = options_.points_per_bearing > 0 ? options_.points_per_bearing
+                                                      : (seen_over && !one_layer ? 3 : 1);
+  virtual_scan_.points.clear();
+  std::uint32_t begin = 0;
+  for (const std::uint32_t end : ends_) {
+    const auto rest = std::span(order_).subspan(begin);
+    const auto column = rest.first(end - begin);
+    begin = end;
+    if (column.empty()) continue;
+    if (one_layer && most_per_bearing_ == 1) {
+      emit(scan, points_[std::ranges::min(column).index()], 1);
+    } else if (FewKeys few; column.size() <= few.size()) {
+      few = sorted_few(rest, column.size());
+      pick_column(scan, std::span(few).first(column.size()), method);
+    } else {
+      std::ranges::sort(column);
+      pick_column(scan, column, method);
+    }
+  }
+}
+
+/// `column`: the returns of one bearing by range. What lies behind a gap of separation_m may be
+/// another object; of each such group the nearest supported return is kept. Where layers are few,
+/// one of them alone may look over what stands in front: there a group without support gives its
+/// nearest return that is not ground, for its neighbours in bearing to support.
+void VirtualScanBuilder::pick_column(const Scan& scan, std::span<const RangeKey> column,
+                                     GroundMethod method) {
+  const auto separation = static_cast<float>(options_.separation_m);
+  const bool each_group = method == GroundMethod::kLayers && most_per_bearing_ > 1;
+  const LevelPoint* lonely = nullptr;
+  int kept = 0;
+  bool group_done = false;
+  const auto keep = [&](const LevelPoint& p, int support) {
+    if (kept >= most_per_bearing_) return;
+    emit(scan, p, support);
+    ++kept;
+  };
+  for (std::size_t i = 0; i < column.size() && kept < most_per_bearing_; ++i) {
+    if (i > 0 && column[i].range_m() - column[i - 1].range_m() > separation) {
+      if (each_group && lonely != nullptr) keep(*std::exchange(lonely, nullptr), 1);
+      group_done = false;
+    }
+    if (group_done) continue;
+    const LevelPoint& p = points_[column[i].index()];
+    const int support = support_of(column.subspan(i));
+    if (support > 1) {
+      keep(p, support);
+      group_done = true;
+      if (each_group) lonely = nullptr;
+    } else if (lonely == nullptr && !is_lonely_ground(p, method)) {
+      lonely = &p;
+    }
+  }
+  if (lonely != nullptr && (each_group || kept == 0)) keep(*lonely, 1);
+}
+
+void VirtualScanBuilder::emit(const Scan& scan, const LevelPoint& point, int support) {
+  const Return& r = scan.returns[point.source];
+  constexpr float kLongestSweep_s = 60;  // what claims more, or is no number, is not known
+  const float offset = std::abs(r.time_offset_s) < kLongestSweep_s ? r.time_offset_s : 0;
+  const float angle = beams_.empty() ? exact_bearing(point.x_m, point.y_m)
+                                     : beams_.bearing_of(point.x_m, point.y_m, r.beam);
+  virtual_scan_.points.push_back({point.x_m, point.y_m, point.z_m, point.range_m, angle, offset,
+                                  static_cast<std::int32_t>(point.column), point.source,
+                                  static_cast<std::uint8_t>(std::min(support, 255))});
+}
+
+void VirtualScanBuilder::order_by_bearing() {
+  const auto before = [](const PlanarPoint& a, const PlanarPoint& b) {
+    return a.bearing_rad < b.bearing_rad || (a.bearing_rad == b.bearing_rad && a.source < b.source);
+  };
+  // Columns are in order already; only bearings at a column's edge may differ in the last digits.
+  auto& points = virtual_scan_.points;
+  if (!std::ranges::is_sorted(points, before)) std::ranges::sort(points, before);
+}
+
+void VirtualScanBuilder::drop_lonely() {
+  if (options_.lonely_m <= 0) return;
+  constexpr std::size_t kBeside = 3;
+  auto& points = virtual_scan_.points;
+  const std::size_t n = points.size();
+  const auto base = static_cast<float>(options_.lonely_m);
+  const auto slope = static_cast<float>(options_.lonely_per_m);
+  keep_.assign(n, 0);
+  for (std::size_t i = 0; i < n; ++i) {
+    const PlanarPoint& p = points[i];
+    keep_[i] |= p.support > 1;
+    const float reach = base + slope * p.range_m, reach2 = reach * reach;
+    for (std::size_t k = 1; k <= kBeside && k < n; ++k) {
+      const std::size_t j = i + k < n ? i + k : i + k - n;
+      const float dx = p.x_m - points[j].x_m, dy = p.y_m - points[j].y_m;
+      if (dx * dx + dy * dy > reach2) continue;
+      keep_[i] = keep_[j] = 1;
+      break;
+    }
+  }
+  std::size_t kept = static_cast<std::size_t>(std::ranges::find(keep_, 0) - keep_.begin());
+  for (std::size_t i = kept; i < n; ++i) {
+    if (keep_[i]) points[kept++] = points[i];
+  }
+  points.resize(kept);
+}
+
+}  // namespace scanfuse::preprocess
