@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
 #include "scanfuse/estimate/gauss_legendre.hpp"
 #include "scanfuse/estimate/turn_moments.hpp"
@@ -127,16 +128,39 @@ Gaussian<6> settle_heading(const Gaussian<6>& x, double backward_m_per_s) {
 
 Eigen::Matrix<double, 2, 6> position_of_ctra() { return Eigen::Matrix<double, 2, 6>::Identity(); }
 
+Eigen::Vector4d velocity_of_ctra(const CtraVector& x) {
+  return {x(kX), x(kSpeed) * std::cos(x(kHeading)), x(kY), x(kSpeed) * std::sin(x(kHeading))};
+}
+
 Gaussian<4> velocity_of_ctra(const Gaussian<6>& x) {
-  const double c = std::cos(x.mean(kHeading)), s = std::sin(x.mean(kHeading));
-  const double v = x.mean(kSpeed);
-  Eigen::Matrix<double, 4, 6> J = Eigen::Matrix<double, 4, 6>::Zero();
-  J(0, kX) = J(2, kY) = 1;
-  J(1, kHeading) = -v * s;
-  J(1, kSpeed) = c;
-  J(3, kHeading) = v * c;
-  J(3, kSpeed) = s;
-  return {{x.mean(kX), v * c, x.mean(kY), v * s}, J * x.covariance * J.transpose()};
+  using Complex = std::complex<double>;
+  constexpr Complex i(0, 1);
+  const CtraMatrix& P = x.covariance;
+  const double v = x.mean(kSpeed), share = P(kHeading, kSpeed);
+  const Complex turn = std::exp(Complex(-P(kHeading, kHeading) / 2, x.mean(kHeading)));
+  const Complex by_heading = i * (v + i * share) * turn;
+  const Complex mean = (v + i * share) * turn;
+  const Complex v2 = v + 2.0 * i * share;
+  const Complex twice = (v2 * v2 + P(kSpeed, kSpeed)) * std::pow(std::abs(turn), 2) * turn * turn;
+  const double square = v * v + P(kSpeed, kSpeed);
+
+  Gaussian<4> out{{x.mean(kX), mean.real(), x.mean(kY), mean.imag()}, Eigen::Matrix4d()};
+  const auto with_place = [&](int place) {
+    return P(place, kSpeed) * turn + P(place, kHeading) * by_heading;
+  };
+  const Complex with_x = with_place(kX), with_y = with_place(kY);
+  Eigen::Matrix4d& C = out.covariance;
+  C(0, 0) = P(kX, kX);
+  C(2, 2) = P(kY, kY);
+  C(0, 2) = C(2, 0) = P(kX, kY);
+  C(0, 1) = C(1, 0) = with_x.real();
+  C(0, 3) = C(3, 0) = with_x.imag();
+  C(1, 2) = C(2, 1) = with_y.real();
+  C(2, 3) = C(3, 2) = with_y.imag();
+  C(1, 1) = (square + twice.real()) / 2 - mean.real() * mean.real();
+  C(3, 3) = (square - twice.real()) / 2 - mean.imag() * mean.imag();
+  C(1, 3) = C(3, 1) = twice.imag() / 2 - mean.real() * mean.imag();
+  return out;
 }
 
 namespace {

@@ -83,7 +83,16 @@ struct CtraNoise {
 /// H of a measured position.
 [[nodiscard]] Eigen::Matrix<double, 2, 6> position_of_ctra();
 
-/// The belief in the state of constant_velocity.hpp and of tracks (x, vx, y, vy), to first order.
+/// x, vx, y, vy of a state: the order of constant_velocity.hpp and of tracks.
+[[nodiscard]] Eigen::Vector4d velocity_of_ctra(const CtraVector& x);
+
+/// Mean and covariance of that over a belief. Exact for a Gaussian belief, not to first order: at
+/// rest v psi says nothing of the motion across, and the first order would be sure that there is
+/// none. With sigma^2, tau^2, kappa the variances of psi, v and their covariance
+///
+///   E[v e^(i psi)]     = (v + i kappa) e^(i psi - sigma^2/2)
+///   E[v^2 e^(2 i psi)] = ((v + 2 i kappa)^2 + tau^2) e^(2 i psi - 2 sigma^2)
+///   cov(x, g) = cov(x, v) E[dg/dv] + cov(x, psi) E[dg/dpsi]      for g = v e^(i psi)
 [[nodiscard]] Gaussian<4> velocity_of_ctra(const Gaussian<6>& x);
 
 /// Constant turn rate and velocity: x, y, psi, v, w, which is the model above with a = 0.

@@ -280,6 +280,31 @@ TEST(CtraFlip, TellsTheSameMotionBeforeAndAfterAStep) {
   }
 }
 
+TEST(Ctra, VelocityHasTheMomentsOfTheBelief) {
+  for (const double v : {0.0, 0.5, 12.0}) {
+    RandomStream random(29);
+    Gaussian<6> x;
+    x.mean << 1, 2, 0.8, v, 0.3, 0.1;
+    x.covariance = 0.02 * random_spd(random);
+    const Gaussian<4> got = velocity_of_ctra(x);
+    const CtraMatrix root = x.covariance.llt().matrixL();
+    Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+    Eigen::Matrix4d squares = Eigen::Matrix4d::Zero();
+    constexpr int kDraws = 200000;
+    for (int i = 0; i < kDraws; ++i) {
+      CtraVector unit;
+      for (double& entry : unit) entry = random.normal();
+      const CtraVector s = x.mean + root * unit;
+      const Eigen::Vector4d d =
+          Eigen::Vector4d(s(0), s(3) * std::cos(s(2)), s(1), s(3) * std::sin(s(2))) - got.mean;
+      sum += d;
+      squares += d * d.transpose();
+    }
+    EXPECT_LT((sum / kDraws).norm(), 0.02) << v;
+    EXPECT_TRUE(got.covariance.isApprox(squares / kDraws, 0.02)) << v;
+  }
+}
+
 TEST(CtraFlip, SettlesOnlyWhatSurelyDrivesBackwards) {
   Gaussian<6> x;
   x.mean << 0, 0, 1, -0.4, 0, 0;

@@ -139,7 +139,7 @@ TEST(ExtendedKalman, AStraightModelFailsOnATurningTarget) {
       scores.anis += innovation(x, z, H).nis();
       x = update(x, z, H);
     }
-    scores.anees += nees(x, velocity_of_ctra({truth}).mean);
+    scores.anees += nees(x, velocity_of_ctra(truth));
   }
   scores.finish();
   RecordProperty("anees", ::testing::PrintToString(scores.anees));

@@ -146,7 +146,7 @@ class SwitchingTarget {
     state_ = moved(state_, kStep, noise, random_);
   }
   Gaussian<2> measure() { return measured_position(state_, kPositionSigma, random_); }
-  [[nodiscard]] Eigen::Vector4d truth() const { return velocity_of_ctra({state_}).mean; }
+  [[nodiscard]] Eigen::Vector4d truth() const { return velocity_of_ctra(state_); }
 
  private:
   /// What a model lets go starts at its onset, what it holds is zero.
@@ -207,7 +207,7 @@ SwitchingScores score_switching(double seconds, int runs) {
 }
 
 TEST(Imm, NeesLiesInItsBandOnATargetThatSwitchesAsBelieved) {
-  constexpr int kRuns = 500;
+  constexpr int kRuns = 2000;
   const SwitchingScores s = score_switching(4, kRuns);
   RecordProperty("imm", ::testing::PrintToString(s.imm));
   RecordProperty("straight", ::testing::PrintToString(s.straight));
