@@ -7,19 +7,9 @@
 #include <tuple>
 #include <utility>
 
+#include "scanfuse/associate/log_sums.hpp"
+
 namespace scanfuse::associate {
-namespace {
-
-constexpr double kNever = -std::numeric_limits<double>::infinity();
-
-/// ln(exp(a) + exp(b))
-double log_add(double a, double b) {
-  if (a < b) std::swap(a, b);
-  return b == kNever ? a : a + std::log1p(std::exp(b - a));
-}
-
-}  // namespace
-
 Marginals joint_probabilities(int tracks, int detections, std::span<const GatedPair> pairs,
                               const JpdaOptions& options) {
   return Jpda()(tracks, detections, pairs, options);
@@ -33,7 +23,7 @@ const Marginals& Jpda::operator()(int tracks, int detections, std::span<const Ga
   for (std::size_t first = 0; first < edges_.size();) {
     std::size_t last = first;
     while (last < edges_.size() && edges_[last].component == edges_[first].component) ++last;
-    solve({&edges_[first], last - first}, pairs, options.exact_up_to);
+    solve({&edges_[first], last - first}, pairs, options);
     first = last;
   }
   return marginals_;
@@ -78,12 +68,20 @@ int Jpda::renumber(std::span<Edge> edges, int Edge::* side, std::vector<int>& nu
   return static_cast<int>(numbers.size());
 }
 
-void Jpda::solve(std::span<Edge> edges, std::span<const GatedPair> pairs, int exact_up_to) {
+void Jpda::solve(std::span<Edge> edges, std::span<const GatedPair> pairs,
+                 const JpdaOptions& options) {
   int rows = renumber(edges, &Edge::row, numbers_);
   int columns = renumber(edges, &Edge::column, numbers_);
-  if (std::min(rows, columns) > exact_up_to) {
-    cheap(edges, rows, columns);
-    for (const Edge& e : edges) marginals_.missed[pairs[e.pair].track] -= marginals_.pair[e.pair];
+  if (std::min(rows, columns) > options.exact_up_to) {
+    if (options.crowd == CrowdMethod::kCheap) {
+      cheap(edges, rows, columns);
+    } else {
+      propagate(edges, columns);
+    }
+    for (const Edge& e : edges) {
+      double& missed = marginals_.missed[pairs[e.pair].track];
+      missed = std::max(0.0, missed - marginals_.pair[e.pair]);
+    }
     return;
   }
   const bool detections_are_rows = columns > rows;
@@ -177,22 +175,6 @@ double Jpda::column_is_free(int column, int rows) const {
     sum += std::exp(forward_[at(rows, set)] - backward_[0]);
   }
   return sum;
-}
-
-void Jpda::cheap(std::span<const Edge> edges, int rows, int columns) {
-  row_sums_.assign(static_cast<std::size_t>(rows), kNever);
-  column_sums_.assign(static_cast<std::size_t>(columns), kNever);
-  for (const Edge& e : edges) {
-    row_sums_[e.row] = log_add(row_sums_[e.row], e.log_ratio);
-    column_sums_[e.column] = log_add(column_sums_[e.column], e.log_ratio);
-  }
-  for (const Edge& e : edges) {
-    const double row = row_sums_[e.row], column = column_sums_[e.column];
-    const double largest = std::max({row, column, 0.0});
-    const double sum = std::exp(-largest) + std::exp(row - largest) + std::exp(column - largest) -
-                       std::exp(e.log_ratio - largest);
-    marginals_.pair[e.pair] = std::exp(e.log_ratio - largest) / sum;
-  }
 }
 
 }  // namespace scanfuse::associate

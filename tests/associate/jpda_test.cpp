@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <numbers>
+#include <string>
 
 #include "scanfuse/core/random.hpp"
 
@@ -82,11 +85,21 @@ void expect_marginals(const Marginals& m, int tracks, int detections,
 }
 
 JpdaOptions random_options(RandomStream& random) {
-  return {random.uniform(0.3, 0.99), random.uniform(0.9, 1), std::exp(random.uniform(-9, 1)), 8};
+  return {random.uniform(0.3, 0.99), random.uniform(0.9, 1), std::exp(random.uniform(-9, 1)), 8,
+          CrowdMethod::kBeliefPropagation};
+}
+
+constexpr CrowdMethod kCrowdMethods[] = {CrowdMethod::kBeliefPropagation, CrowdMethod::kCheap};
+
+/// Never exact.
+JpdaOptions approximate(JpdaOptions options, CrowdMethod method) {
+  options.exact_up_to = 0;
+  options.crowd = method;
+  return options;
 }
 
 TEST(Jpda, OneTrackAndOneDetectionHaveAClosedForm) {
-  const JpdaOptions options{0.8, 1, 0.01, 8};
+  const JpdaOptions options{.detection_probability = 0.8, .clutter_density = 0.01};
   const std::vector<GatedPair> pairs = {{0, 0, std::log(0.3)}};
   const Marginals m = joint_probabilities(1, 1, pairs, options);
   const double hit = 0.8 * 0.3, miss = 0.2 * 0.01;
@@ -116,8 +129,12 @@ TEST(Jpda, TracksSumToOneAndDetectionsToNoMore) {
   for (const auto& [tracks, detections] : {std::pair{3, 5}, {8, 8}, {20, 20}, {30, 4}, {4, 30}}) {
     for (int run = 0; run < 20; ++run) {
       const auto pairs = random_pairs(tracks, detections, 0.4, random);
-      const Marginals m = joint_probabilities(tracks, detections, pairs, random_options(random));
-      expect_marginals(m, tracks, detections, pairs);
+      JpdaOptions options = random_options(random);
+      for (const CrowdMethod method : kCrowdMethods) {
+        options.crowd = method;
+        const Marginals m = joint_probabilities(tracks, detections, pairs, options);
+        expect_marginals(m, tracks, detections, pairs);
+      }
     }
   }
 }
@@ -171,21 +188,37 @@ TEST(Jpda, LikelihoodsOfAnySizeAreFine) {
   expect_marginals(m, 2, 2, pairs);
   EXPECT_NEAR(m.pair[0], 1 / (1 + std::exp(-1)), 1e-12);
   EXPECT_NEAR(m.pair[1], 0, 1e-300);
-  JpdaOptions cheap;
-  cheap.exact_up_to = 1;
-  expect_marginals(joint_probabilities(2, 2, pairs, cheap), 2, 2, pairs);
+  for (const CrowdMethod method : kCrowdMethods) {
+    expect_marginals(joint_probabilities(2, 2, pairs, approximate({}, method)), 2, 2, pairs);
+  }
 }
 
-TEST(JpdaCheap, IsExactWhereOneTrackOrOneDetectionIsAlone) {
+TEST(JpdaCrowd, IsExactWhereOneTrackOrOneDetectionIsAlone) {
   RandomStream random(65);
-  JpdaOptions cheap = random_options(random), exact = cheap;
-  cheap.exact_up_to = 0;
+  const JpdaOptions exact = random_options(random);
   for (const auto& [tracks, detections] : {std::pair{1, 6}, {6, 1}}) {
     const auto pairs = random_pairs(tracks, detections, 1, random);
-    EXPECT_LT(largest_difference(joint_probabilities(tracks, detections, pairs, cheap),
-                                 joint_probabilities(tracks, detections, pairs, exact)),
-              1e-12);
+    const Marginals right = joint_probabilities(tracks, detections, pairs, exact);
+    for (const CrowdMethod method : kCrowdMethods) {
+      const auto options = approximate(exact, method);
+      EXPECT_LT(largest_difference(joint_probabilities(tracks, detections, pairs, options), right),
+                1e-12);
+    }
   }
+}
+
+TEST(JpdaCrowd, BeliefPropagationIsExactOnAChain) {
+  RandomStream random(68);
+  std::vector<GatedPair> pairs;
+  for (int t = 0; t < 7; ++t) {
+    pairs.push_back({t, t, random.uniform(-12, 3)});
+    pairs.push_back({t, t + 1, random.uniform(-12, 3)});
+  }
+  const JpdaOptions exact = random_options(random);
+  const auto options = approximate(exact, CrowdMethod::kBeliefPropagation);
+  EXPECT_LT(largest_difference(joint_probabilities(7, 8, pairs, options),
+                               joint_probabilities(7, 8, pairs, exact)),
+            1e-8);
 }
 
 /// Tracks and detections in a square of the plane, with likelihoods of a Gaussian.
@@ -206,27 +239,34 @@ std::vector<GatedPair> crowd(int n, double spread_sigmas, RandomStream& random) 
   return pairs;
 }
 
-// How far the approximation is off, in probability: typical and worst pair.
-TEST(JpdaCheap, ErrsByATenthInACrowd) {
+/// Mean over all pairs, and worst, of how far a method is off in probability.
+std::pair<double, double> error_in_a_crowd(CrowdMethod method, double spread_sigmas) {
   RandomStream random(66);
-  JpdaOptions exact{0.9, 1, 0.01, 8}, cheap{0.9, 1, 0.01, 0};
-  for (const double spread : {4.0, 8.0, 16.0}) {
-    double sum = 0, worst = 0;
-    int count = 0;
-    for (int run = 0; run < 200; ++run) {
-      const auto pairs = crowd(8, spread, random);
-      const Marginals a = joint_probabilities(8, 8, pairs, exact);
-      const Marginals b = joint_probabilities(8, 8, pairs, cheap);
-      for (std::size_t i = 0; i < pairs.size(); ++i, ++count) {
-        sum += std::abs(a.pair[i] - b.pair[i]);
-        worst = std::max(worst, std::abs(a.pair[i] - b.pair[i]));
-      }
+  const JpdaOptions exact{.detection_probability = 0.9, .clutter_density = 0.01};
+  const JpdaOptions rough = approximate(exact, method);
+  double sum = 0, worst = 0;
+  int count = 0;
+  for (int run = 0; run < 200; ++run) {
+    const auto pairs = crowd(8, spread_sigmas, random);
+    const Marginals a = joint_probabilities(8, 8, pairs, exact);
+    const Marginals b = joint_probabilities(8, 8, pairs, rough);
+    for (std::size_t i = 0; i < pairs.size(); ++i, ++count) {
+      sum += std::abs(a.pair[i] - b.pair[i]);
+      worst = std::max(worst, std::abs(a.pair[i] - b.pair[i]));
     }
-    RecordProperty("mean_at_" + std::to_string(static_cast<int>(spread)),
-                   ::testing::PrintToString(sum / count));
-    RecordProperty("worst_at_" + std::to_string(static_cast<int>(spread)),
-                   ::testing::PrintToString(worst));
-    EXPECT_LT(sum / count, 0.13);
+  }
+  return {sum / count, worst};
+}
+
+TEST(JpdaCrowd, BeliefPropagationErrsLessThanTheCheapFormula) {
+  for (const double spread : {4.0, 8.0, 16.0}) {
+    const auto good = error_in_a_crowd(CrowdMethod::kBeliefPropagation, spread);
+    const auto cheap = error_in_a_crowd(CrowdMethod::kCheap, spread);
+    const std::string at = "_at_" + std::to_string(static_cast<int>(spread));
+    RecordProperty("belief_propagation" + at, ::testing::PrintToString(good));
+    RecordProperty("cheap" + at, ::testing::PrintToString(cheap));
+    EXPECT_LT(good.first, cheap.first / 2);
+    EXPECT_LT(cheap.first, 0.13);
   }
 }
 
