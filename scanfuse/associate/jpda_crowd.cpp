@@ -44,8 +44,8 @@ void Jpda::for_each_list(std::span<const std::size_t> order, Side&& side, Term&&
 }
 
 void Jpda::propagate(std::span<const Edge> edges, int columns) {
-  constexpr int kRounds = 500;
-  constexpr double kSettled = 1e-9;
+  constexpr int kRounds = 100;
+  constexpr double kSettled = 1e-6;  // far below what the method errs by
   to_detection_.assign(edges.size(), 0);
   to_track_.assign(edges.size(), 0);
   by_row_.resize(edges.size());
