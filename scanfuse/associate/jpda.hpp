@@ -81,7 +81,8 @@ struct Marginals {
 /// alone, belief propagation wherever the pairs close no circle.
 ///
 /// Sums are taken of logarithms about their largest term: likelihoods of any size are fine, ties of
-/// thousands of nats included. Pairs in any order, none twice, -inf allowed; 0 < P_D < 1.
+/// thousands of nats included. Pairs in any order, none twice, log-likelihoods
+/// finite or -inf (what is NaN counts as -inf); 0 < P_D < 1.
 class Jpda {
  public:
   /// Valid until the next call. Memory is kept: grown once, nothing is allocated.
