@@ -41,7 +41,7 @@ template <int N, int M>
   return {z.mean - H * x.mean, H * x.covariance * H.transpose() + z.covariance};
 }
 
-/// Folds a measurement z = H x + v, v ~ N(0, R), into the belief x. R must be positive definite.
+/// Moves a belief by what a measurement said; R is the measurement's covariance, positive definite.
 ///
 ///   S  = H P H' + R                        innovation covariance
 ///   K  = P H' S^-1                         Kalman gain [Lu2018, eq. 9]
@@ -49,15 +49,22 @@ template <int N, int M>
 ///   P+ = (I - K H) P (I - K H)' + K R K'   Joseph form, not [Lu2018, eq. 11], which loses symmetry
 ///                                          and definiteness by rounding; equal in exact arithmetic
 template <int N, int M>
-[[nodiscard]] Gaussian<N> update(const Gaussian<N>& x, const Gaussian<M>& z,
-                                 const Eigen::Matrix<double, M, N>& H) {
+[[nodiscard]] Gaussian<N> correct(const Gaussian<N>& x, const Innovation<M>& nu,
+                                  const Eigen::Matrix<double, M, M>& R,
+                                  const Eigen::Matrix<double, M, N>& H) {
   using State = Eigen::Matrix<double, N, N>;
-  const Innovation<M> nu = innovation(x, z, H);
   const Eigen::Matrix<double, N, M> K =
       x.covariance * H.transpose() * nu.covariance.inverse().eval();
   const State A = State::Identity() - K * H;
-  const State P = A * x.covariance * A.transpose() + K * z.covariance * K.transpose();
+  const State P = A * x.covariance * A.transpose() + K * R * K.transpose();
   return {x.mean + K * nu.residual, 0.5 * (P + P.transpose())};
+}
+
+/// Folds a measurement z = H x + v, v ~ N(0, z.covariance), into the belief x.
+template <int N, int M>
+[[nodiscard]] Gaussian<N> update(const Gaussian<N>& x, const Gaussian<M>& z,
+                                 const Eigen::Matrix<double, M, N>& H) {
+  return correct(x, innovation(x, z, H), z.covariance, H);
 }
 
 /// As `update`, but the states from `considered` on keep their mean and variance; what they share
