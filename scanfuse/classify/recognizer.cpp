@@ -19,7 +19,7 @@ bool is_small_user(const Outline& outline, const RecognizerOptions& options) {
 
 }  // namespace
 
-Recognizer::Recognizer(const RecognizerOptions& options) : options_(to_scale(options)) {}
+Recognizer::Recognizer(const RecognizerOptions& options) : options_(options) {}
 
 std::span<const Detection> Recognizer::operator()(std::span<const Outline> outlines) {
   detections_.clear();
