@@ -20,7 +20,7 @@ run: build  ## tracks the paper's second scenario and, if given, INPUT=recording
 	@tools/run_demo.sh "$(OUT)" "$(INPUT)"
 
 test: ## unit tests, end-to-end tests, layers, format, install
-	@tools/install_packages.sh build test
+	@tools/install_packages.sh build test bench
 	@tools/run_tests.sh
 
 bench: ## accuracy and speed, with peers where they are installed

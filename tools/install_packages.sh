@@ -7,7 +7,7 @@ build="g++ cmake ninja-build ccache mold libeigen3-dev libfmt-dev libexpected-de
   libtomlplusplus-dev nlohmann-json3-dev libembree-dev libzstd-dev liblz4-dev zlib1g-dev libbz2-dev
   liblzma-dev libsqlite3-dev"
 test="libgtest-dev libgmock-dev librapidcheck-dev clang-19 clang-tidy-19 clang-format-19
-  libclang-rt-19-dev python3 git chromium nodejs"
+  libclang-rt-19-dev python3 git chromium nodejs npm"
 bench="libbenchmark-dev"
 [ -z "${SCANFUSE_PEERS:-}" ] || bench+=" libpcl-dev"  # big; only to compare with
 
@@ -25,6 +25,7 @@ missing=""
 for package in $wanted; do
   case "$package" in
     nodejs) command -v node > /dev/null && continue ;;
+    npm) command -v npm > /dev/null && continue ;;  # comes with other builds of node
   esac
   [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2> /dev/null)" = installed ] ||
     missing+=" $package"

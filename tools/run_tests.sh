@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# What `make test` runs: release build and all its tests, style, the installed package.
+# What `make test` runs: release build with benchmarks and all its tests, style, the installed
+# package. Each step is told with the seconds it took.
 # SCANFUSE_CHECKS names more of them: asan, fuzz, tsan, tidy.
 # Ends with a line that counts the tests.
 set -uo pipefail
@@ -10,10 +11,12 @@ skipped=0
 
 # step NAME COMMAND...: one check that passes or fails as a whole.
 step() {
-  local name=$1
+  local name=$1 start=$SECONDS code=0
   shift
-  echo "== $name"
-  if "$@" > "$log" 2>&1; then
+  printf '== %s' "$name"
+  "$@" > "$log" 2>&1 || code=$?
+  echo " ($((SECONDS - start)) s)"
+  if [ "$code" -eq 0 ]; then
     passed=$((passed + 1))
   else
     failed=$((failed + 1))
@@ -24,10 +27,11 @@ step() {
 
 # suite NAME PRESET CTEST-ARGS...: runs ctest and adds its counts.
 suite() {
-  local name=$1 preset=$2
+  local name=$1 preset=$2 start=$SECONDS
   shift 2
-  echo "== $name"
+  printf '== %s' "$name"
   (cd "build/$preset" && ctest --output-on-failure -j "$(nproc)" "$@") > "$log" 2>&1
+  echo " ($((SECONDS - start)) s)"
   local bad skip all
   all=$(grep -cE '^ *[0-9]+/[0-9]+ Test +#' "$log")
   skip=$(grep -cE '\*\*\*Skipped' "$log")
@@ -45,7 +49,7 @@ suite() {
 
 build() { cmake --preset "$1" "${@:2}" && cmake --build --preset "$1"; }
 
-# Only what uses threads: a whole build for three tests would take minutes.
+# Only what uses threads: a whole build for a few tests would take minutes.
 build_threaded() {
   cmake --preset tsan && cmake --build --preset tsan --target core_test pipeline_test
 }
@@ -77,7 +81,7 @@ if [ -f tests/npm/package.json ] && command -v npm > /dev/null && [ ! -d tests/n
   npm ci --prefix tests/npm --no-audit --no-fund > "$log" 2>&1 || echo "npm packages could not be had"
 fi
 step "style" tools/check_style.sh
-step "build (GCC, release)" build release -DSCANFUSE_BUILD_TESTS=ON
+step "build (GCC, release)" build release -DSCANFUSE_BUILD_TESTS=ON -DSCANFUSE_BUILD_BENCH=ON
 suite "tests (GCC, release)" release
 step "install, then build and run a user's project" install_and_consume
 wants() { [[ " ${SCANFUSE_CHECKS:-} " == *" $1 "* ]]; }

@@ -54,11 +54,14 @@ void print_table(const std::vector<BenchRow>& rows) {
   const auto number = [](const std::optional<double>& value) {
     return value ? fmt::format("{:.4g}", *value) : std::string();
   };
+  const auto target = [&](const Target& t) {
+    return number(t.low) + (t.low && t.high ? ".." : "") + number(t.high);
+  };
   fmt::print("{:<62} {:>10} {:<8} {:>8} {:>8}\n", "", "value", "", "peer", "target");
   for (const auto& row : rows) {
-    const auto* verdict = !row.target ? "" : row.met ? "met" : "MISSED";
+    const auto* verdict = !row.target.any() ? "" : row.met() ? "met" : "MISSED";
     fmt::print("{:<62} {:>10.4g} {:<8} {:>8} {:>8} {}\n", row.name, row.value, row.unit,
-               number(row.peer), number(row.target), verdict);
+               number(row.peer), target(row.target), verdict);
   }
 }
 
@@ -74,8 +77,9 @@ nlohmann::json as_json(const std::vector<BenchRow>& rows) {
                     {"value", std::isfinite(row.value) ? nlohmann::json(row.value) : nullptr},
                     {"unit", row.unit},
                     {"peer", or_null(row.peer)},
-                    {"target", or_null(row.target)},
-                    {"met", row.met}});
+                    {"target", or_null(row.target.high ? row.target.high : row.target.low)},
+                    {"target_lower", or_null(row.target.high ? row.target.low : std::nullopt)},
+                    {"met", row.met()}});
   }
   return {{"rows", list},
           {"machine", {{"cores", std::thread::hardware_concurrency()}, {"compiler", __VERSION__}}},

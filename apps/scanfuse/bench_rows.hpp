@@ -9,14 +9,27 @@
 
 namespace scanfuse::app {
 
+/// What the project has promised of a figure: a bound from below, from above, both or none.
+struct Target {
+  std::optional<double> low = std::nullopt;
+  std::optional<double> high = std::nullopt;
+  [[nodiscard]] bool any() const { return low || high; }
+  [[nodiscard]] bool met_by(double value) const {
+    return (!low || value >= *low) && (!high || value <= *high);
+  }
+};
+[[nodiscard]] inline Target at_least(double value) { return {.low = value}; }
+[[nodiscard]] inline Target at_most(double value) { return {.high = value}; }
+[[nodiscard]] inline Target between(double low, double high) { return {low, high}; }
+
 /// One figure of a benchmark, as `scanfuse bench NAME --json` prints it.
 struct BenchRow {
   std::string name;
   double value = 0;
   std::string unit;
-  std::optional<double> peer;    ///< the same figure of another program or method, where known
-  std::optional<double> target;  ///< what the project has promised
-  bool met = true;               ///< false only where there is a target and it is missed
+  Target target = {};
+  std::optional<double> peer = std::nullopt;  ///< of another program or method, where known
+  [[nodiscard]] bool met() const { return target.met_by(value); }
 };
 
 /// Which random scenes a benchmark draws: seeds first, first + 1, ...

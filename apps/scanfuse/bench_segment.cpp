@@ -76,16 +76,9 @@ std::vector<Contender> contenders() {
 }
 
 /// What is promised of Pag: 0.97 to 20 m, 0.95 to 50 m.
-std::optional<double> promised(std::string_view name, int range_m) {
-  if (name != "pag" || range_m > 50) return std::nullopt;
-  return range_m <= 20 ? 0.97 : 0.95;
-}
-
-BenchRow with_target(std::string name, double value, std::string unit,
-                     std::optional<double> target) {
-  BenchRow row{std::move(name), value, std::move(unit), std::nullopt, target, true};
-  row.met = !target || value >= *target;
-  return row;
+Target promised(std::string_view name, int range_m) {
+  if (name != "pag" || range_m > 50) return {};
+  return at_least(range_m <= 20 ? 0.97 : 0.95);
 }
 
 /// One car in free sight at each range.
@@ -103,9 +96,8 @@ void add_range_ladder(std::vector<BenchRow>& rows, const Contender& contender,
         share.count(score.right());
       }
     }
-    rows.push_back(
-        with_target(fmt::format("ladder/{}/{} m{}", contender.name, range_m, stray ? "/stray" : ""),
-                    share.value(), "share right", promised(contender.name, range_m)));
+    rows.push_back({fmt::format("ladder/{}/{} m{}", contender.name, range_m, stray ? "/stray" : ""),
+                    share.value(), "share right", promised(contender.name, range_m)});
   }
 }
 
@@ -134,17 +126,16 @@ void add_scenes(std::vector<BenchRow>& rows, const Contender& contender, const S
   const char* tail = stray ? "/stray" : "";
   for (std::size_t bin = 0; bin < 6; ++bin) {
     const int upper_m = 10 * (static_cast<int>(bin) + 1);
-    rows.push_back(with_target(
-        fmt::format("scenes/{}/vehicles {}-{} m{}", contender.name, upper_m - 10, upper_m, tail),
-        by_range[bin].value(), "share right", promised(contender.name, upper_m)));
+    rows.push_back(
+        {fmt::format("scenes/{}/vehicles {}-{} m{}", contender.name, upper_m - 10, upper_m, tail),
+         by_range[bin].value(), "share right", promised(contender.name, upper_m)});
   }
   for (const auto c : {ObjectClass::kVehicle, ObjectClass::kPedestrian, ObjectClass::kCyclist}) {
-    rows.push_back(
-        with_target(fmt::format("scenes/{}/{} IoU >= 0.7{}", contender.name, to_string(c), tail),
-                    by_class[static_cast<std::size_t>(c)].value(), "share right", std::nullopt));
+    rows.push_back({fmt::format("scenes/{}/{} IoU >= 0.7{}", contender.name, to_string(c), tail),
+                    by_class[static_cast<std::size_t>(c)].value(), "share right"});
   }
-  rows.push_back(with_target(fmt::format("scenes/{}/all IoU >= 0.7{}", contender.name, tail),
-                             all.value(), "share right", std::nullopt));
+  rows.push_back({fmt::format("scenes/{}/all IoU >= 0.7{}", contender.name, tail), all.value(),
+                  "share right"});
 }
 
 /// Median time of one scan of 440 beams, over 300 scenes, after a first round.
@@ -164,8 +155,7 @@ void add_speed(std::vector<BenchRow>& rows, const Contender& contender, const Se
   if (times_us.empty()) return;
   const auto middle = times_us.begin() + static_cast<std::ptrdiff_t>(times_us.size() / 2);
   std::nth_element(times_us.begin(), middle, times_us.end());
-  rows.push_back({fmt::format("speed/{}/440 beams", contender.name), *middle, "us per scan",
-                  std::nullopt, std::nullopt, true});
+  rows.push_back({fmt::format("speed/{}/440 beams", contender.name), *middle, "us per scan"});
 }
 
 }  // namespace

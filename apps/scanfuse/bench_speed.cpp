@@ -106,27 +106,21 @@ ChainTimes time_chain(std::vector<pipeline::PosedScan> scans,
   return times;
 }
 
-BenchRow at_most(std::string name, double value, std::string unit, std::optional<double> target) {
-  return {std::move(name), value,  std::move(unit),
-          std::nullopt,    target, !target || value <= *target};
-}
-
 void add_chain(std::vector<BenchRow>& rows, const std::string& name, const ChainTimes& times) {
   const double median = quantile(times.cpu_us, 0.5), p99 = quantile(times.cpu_us, 0.99);
   const auto label = [&](const char* what) { return fmt::format("{} {}", name, what); };
-  rows.push_back(at_most(label("returns in a scan, median"), times.returns, "", {}));
-  rows.push_back(at_most(label("whole chain, median"), median, "us CPU", 100));
-  rows.push_back(at_most(label("whole chain, 99th percentile"), p99, "us CPU", {}));
-  rows.push_back(at_most(label("99th percentile / median"), p99 / median, "", 2.5));
+  rows.push_back({label("returns in a scan, median"), times.returns, ""});
+  rows.push_back({label("whole chain, median"), median, "us CPU", at_most(100)});
+  rows.push_back({label("whole chain, 99th percentile"), p99, "us CPU"});
+  rows.push_back({label("99th percentile / median"), p99 / median, "", at_most(2.5)});
+  rows.push_back({label("whole chain, median, wall"), quantile(times.wall_us, 0.5), "us"});
   rows.push_back(
-      at_most(label("whole chain, median, wall"), quantile(times.wall_us, 0.5), "us", {}));
-  rows.push_back(at_most(label("whole chain, 99th percentile, wall"), quantile(times.wall_us, 0.99),
-                         "us", {}));
-  rows.push_back(at_most(label("whole chain"), times.returns / median, "M pts/s", {}));
+      {label("whole chain, 99th percentile, wall"), quantile(times.wall_us, 0.99), "us"});
+  rows.push_back({label("whole chain"), times.returns / median, "M pts/s"});
   for (const auto& [stage, index] : kStages) {
     const double us = quantile(times.stage_us[static_cast<std::size_t>(index)], 0.5);
-    rows.push_back(at_most(fmt::format("{} {}, median", name, stage), us, "us CPU", {}));
-    rows.push_back(at_most(fmt::format("{} {}", name, stage), times.returns / us, "M pts/s", {}));
+    rows.push_back({fmt::format("{} {}, median", name, stage), us, "us CPU"});
+    rows.push_back({fmt::format("{} {}", name, stage), times.returns / us, "M pts/s"});
   }
 }
 
@@ -173,10 +167,10 @@ void add_ladder(std::vector<BenchRow>& rows, const segment::PagOptions& options,
   for (const int points : {1'000, 10'000, 100'000, 1'000'000}) {
     last = cluster_ns(pag, flat_points(points, street));
     if (first == 0) first = last;
-    rows.push_back(at_most(fmt::format("pag, {}, {} points", name, points), last, "ns/point", {}));
+    rows.push_back({fmt::format("pag, {}, {} points", name, points), last, "ns/point"});
   }
-  rows.push_back(
-      at_most(fmt::format("pag, {}, time of a point at 1 M / at 1 k", name), last / first, "", 2));
+  rows.push_back({fmt::format("pag, {}, time of a point at 1 M / at 1 k", name), last / first, "",
+                  at_most(2)});
 }
 
 }  // namespace

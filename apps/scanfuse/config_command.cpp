@@ -9,7 +9,7 @@ namespace scanfuse::app {
 void add_config(Tool& tool) {
   auto request = std::make_shared<TrackRequest>();
   auto* app = tool.app->add_subcommand("config", "Show the options, resolved, as TOML");
-  app->add_flag("--show", request->show, "Print them (the default)");
+  app->add_flag("--show")->description("Print them (the default)");
   app->add_option("--preset", request->preset, "Options to start from")->capture_default_str();
   app->add_option("--config", request->config, "Options from a TOML file");
   app->add_option("--set", request->set, "Change an option: section.option=value")

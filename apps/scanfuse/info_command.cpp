@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "command.hpp"
-#include "json_text.hpp"
 #include "scanfuse/io/recording.hpp"
 #include "scanfuse/io/text/numbers.hpp"
 
@@ -72,30 +72,41 @@ double rate_hz(const io::RecordingInfo& info, const io::TopicInfo& topic) {
                                             : 0;
 }
 
-void print_json(const RecordingSummary& summary) {
+using Json = nlohmann::ordered_json;
+
+Json seconds_or_null(const std::optional<Time>& time) {
+  return time ? Json(to_seconds(*time)) : Json(nullptr);
+}
+
+Json as_json(const RecordingSummary& summary) {
   const auto& info = summary.info;
-  fmt::print(
-      "{{\"path\":{},\"format\":{},\"compression\":{},\"start_s\":{},\"end_s\":{},"
-      "\"duration_s\":{},\"topics\":[",
-      json_text(info.path.string()), json_text(info.format), json_text(info.compression),
-      info.start ? io::print_seconds(*info.start) : "null",
-      info.end ? io::print_seconds(*info.end) : "null", json_number(duration_s(info)));
-  for (std::size_t k = 0; k < info.topics.size(); ++k) {
-    const auto& topic = info.topics[k];
-    fmt::print(
-        "{}{{\"name\":{},\"type\":{},\"encoding\":{},\"messages\":{},\"rate_hz\":{},"
-        "\"decoded\":{},\"is_scan\":{}}}",
-        k == 0 ? "" : ",", json_text(topic.name), json_text(topic.type), json_text(topic.encoding),
-        topic.messages, json_number(rate_hz(info, topic)), topic.decoded, topic.is_scan);
+  Json topics = Json::array();
+  for (const io::TopicInfo& topic : info.topics) {
+    topics.push_back({{"name", topic.name},
+                      {"type", topic.type},
+                      {"encoding", topic.encoding},
+                      {"messages", topic.messages},
+                      {"rate_hz", rate_hz(info, topic)},
+                      {"decoded", topic.decoded},
+                      {"is_scan", topic.is_scan}});
   }
-  fmt::print("],\"diagnostics\":[");
-  bool first = true;
+  Json diagnostics = Json::array();
   for (const auto& [what, entry] : summary.diagnostics.entries()) {
-    fmt::print("{}{{\"what\":{},\"count\":{},\"first\":{},\"damage\":{}}}", first ? "" : ",",
-               json_text(what), entry.count, json_text(entry.first), entry.damage);
-    first = false;
+    diagnostics.push_back(
+        {{"what", what}, {"count", entry.count}, {"first", entry.first}, {"damage", entry.damage}});
   }
-  fmt::print("]}}\n");
+  return {{"path", info.path.string()},
+          {"format", info.format},
+          {"compression", info.compression},
+          {"start_s", seconds_or_null(info.start)},
+          {"end_s", seconds_or_null(info.end)},
+          {"duration_s", duration_s(info)},
+          {"topics", topics},
+          {"diagnostics", diagnostics}};
+}
+
+void print_json(const RecordingSummary& summary) {
+  fmt::print("{}\n", as_json(summary).dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 void print_table(const RecordingSummary& summary) {

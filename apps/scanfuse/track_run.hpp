@@ -29,7 +29,6 @@ struct TrackRequest {
   std::vector<double> mount;  ///< x, y, yaw
   bool paper_axes = false;
   bool json = false;
-  bool show = true;  ///< `config` only
 };
 
 /// What came of it.

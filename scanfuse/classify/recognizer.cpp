@@ -33,7 +33,7 @@ bool is_expected_vehicle(const Outline& outline, const RecognizerOptions& option
 
 }  // namespace
 
-Recognizer::Recognizer(const RecognizerOptions& options) : options_(to_scale(options)) {}
+Recognizer::Recognizer(const RecognizerOptions& options) : options_(options) {}
 
 std::span<const Detection> Recognizer::operator()(std::span<const Outline> outlines) {
   detections_.clear();

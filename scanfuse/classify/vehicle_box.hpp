@@ -10,7 +10,7 @@ namespace scanfuse::classify {
 /// front, a longer one its side; extents are the seen ones where both ends are free, else those of
 /// the prior, at least what was seen, and the two are weighed by their variances. The box grows
 /// away from what was seen: behind the near faces, and behind an end that something nearer hides.
-/// Options already to scale. Fills every field of the detection but class and score.
+/// Fills every field of the detection but class and score.
 [[nodiscard]] Detection complete_vehicle(const Outline& outline, const RecognizerOptions& options);
 
 /// An object of unknown kind: the box as seen, at least as wide as a few centimetres.

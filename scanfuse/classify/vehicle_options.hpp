@@ -26,7 +26,6 @@ constexpr auto choices(Keep) {
 struct RecognizerOptions {
   Method method = Method::kScore;
   Keep keep = Keep::kVehicles;
-  double scale = 1;
   double min_score = 0.5;
   int min_points = 3;
   double min_width_m = 1.4;
@@ -52,8 +51,6 @@ struct RecognizerOptions {
     return std::tuple{
         Field{"method", &O::method, "scored rules, or the plain ones of [Lu2018]"},
         Field{"keep", &O::keep, "vehicles only, or smaller objects too, as unknown"},
-        Field{"scale", &O::scale, 0.001, 100.0,
-              "size of the vehicles against real ones: 0.1 for models of 1:10; multiplies lengths"},
         Field{"min_score", &O::min_score, 0.0, 1.0, "less likely vehicles are dropped"},
         Field{"min_points", &O::min_points, 1, 1000, "clusters with fewer are dropped"},
         Field{"min_width_m", &O::min_width_m, 0.0, 100.0, "narrowest rear or front"},
@@ -83,8 +80,5 @@ struct RecognizerOptions {
     };
   }
 };
-
-/// The same options with every length multiplied by `scale`.
-[[nodiscard]] RecognizerOptions to_scale(RecognizerOptions options);
 
 }  // namespace scanfuse::classify

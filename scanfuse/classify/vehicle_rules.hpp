@@ -11,7 +11,7 @@ namespace scanfuse::classify {
 /// How much an outline looks like a vehicle, 0..1: the product of memberships of its size (a rear
 /// or front, a side, or a corner of both; ends hidden by something nearer count as unseen), of the
 /// share of points on straight faces, of the share of beams that returned, and of the number of
-/// points. The rules and their reasons: docs/detection.md. Options already to scale.
+/// points. The rules and their reasons: docs/detection.md.
 [[nodiscard]] double vehicle_score(const Outline& outline, const RecognizerOptions& options);
 
 /// [Lu2018] names line count, shape and size and leaves the rules to its reference 9, where they

@@ -105,6 +105,7 @@ Chart position_chart(const TrackCurve& curve, std::int64_t id, int axis) {
 
 Chart difference_chart(const TrackCurve& curve, std::int64_t id) {
   std::vector<Eigen::Vector2d> difference;
+  difference.reserve(curve.frame.size());
   for (std::size_t i = 0; i < curve.frame.size(); ++i) {
     difference.push_back(curve.estimate[i] - curve.measured[i]);
   }

@@ -36,6 +36,7 @@ std::vector<ObjectScore> score_clusters(const Clusters& clusters,
              2 * both < size};
   }
   std::vector<ObjectScore> scores;
+  scores.reserve(best.size());
   for (const auto& [object, score] : best) scores.push_back(score);
   return scores;
 }

@@ -16,7 +16,7 @@ struct Farthest {
 ///   d = |(q - p) x (x - p)| / |q - p|, or |x - p| where q = p
 Farthest farthest_from_chord(std::span<const Eigen::Vector2d> points, std::size_t first,
                              std::size_t last) {
-  const Eigen::Vector2d origin = points[first];
+  const Eigen::Vector2d& origin = points[first];
   const Eigen::Vector2d along = points[last] - origin;
   const double length = along.norm();
   Farthest best{first, 0};

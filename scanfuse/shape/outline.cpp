@@ -92,20 +92,8 @@ Outline blank(Outline&& old, std::uint32_t cluster) {
 
 }  // namespace
 
-ShapeOptions to_scale(ShapeOptions options) {
-  const double scale = options.outline.scale;
-  for (double* length :
-       {&options.outline.max_extent_m, &options.outline.max_end_gap_m, &options.iepf.threshold_m,
-        &options.iepf.merge_gap_m, &options.iepf.min_length_m, &options.faces.surface_sigma_m,
-        &options.faces.min_face_m, &options.occlusion.nearer_by_m, &options.occlusion.beside_m}) {
-    *length *= scale;
-  }
-  options.outline.scale = 1;
-  return options;
-}
-
 OutlineExtractor::OutlineExtractor(const ShapeOptions& options)
-    : options_(to_scale(options)),
+    : options_(options),
       iepf_(options_.iepf),
       join_(options_.join, options_.occlusion, options_.faces),
       search_(options.outline.criterion, options.outline.search_steps,

@@ -35,7 +35,6 @@ struct OutlineOptions {
   LineMethod lines = LineMethod::kIepf;
   Search search = Search::kLines;
   Criterion criterion = Criterion::kCloseness;
-  double scale = 1;
   int search_steps = 18;
   int search_points = 32;
   double max_extent_m = 16;
@@ -48,8 +47,6 @@ struct OutlineOptions {
         Field{"lines", &O::lines, "how points are cut into lines"},
         Field{"search", &O::search, "headings tried: of the lines (fast), or all"},
         Field{"criterion", &O::criterion, "what the search for the heading maximises"},
-        Field{"scale", &O::scale, 0.001, 100.0,
-              "size of the vehicles against real ones: 0.1 for models of 1:10; multiplies lengths"},
         Field{"search_steps", &O::search_steps, 4, 360,
               "headings tried over 90 degrees by a full search"},
         Field{"search_points", &O::search_points, 4, 64, "bigger clusters are thinned to this"},
@@ -71,9 +68,6 @@ struct ShapeOptions {
   OcclusionOptions occlusion;
   JoinOptions join;
 };
-
-/// The same options with every length multiplied by `outline.scale`.
-[[nodiscard]] ShapeOptions to_scale(ShapeOptions options);
 
 /// Lines and box of every cluster of a scan. Buffers are kept between scans, so that nothing is
 /// allocated once they have grown; one object per thread. About 1 us for a car of 25 points

@@ -74,7 +74,7 @@ double RectangleSearch::gather(std::span<const Eigen::Vector2d> points) {
   const Eigen::Index stride = (count + max_points_ - 1) / max_points_;
   const Eigen::Index kept = (count + stride - 1) / stride;
   for (auto* buffer : {&x_, &y_, &c1_, &c2_}) buffer->resize(kept);
-  const Eigen::Vector2d origin = points.front();
+  const Eigen::Vector2d& origin = points.front();
   double reach = 0;
   for (Eigen::Index i = 0; i < kept; ++i) {
     const Eigen::Vector2d d = points[static_cast<std::size_t>(i * stride)] - origin;

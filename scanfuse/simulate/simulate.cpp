@@ -124,6 +124,7 @@ const SensorModel& Simulation::sensor() const { return state_->scanner.model(); 
 
 std::vector<ScenarioInfo> scenarios() {
   std::vector<ScenarioInfo> list;
+  list.reserve(std::size(kScenarios));
   for (const auto& known : kScenarios) list.push_back(known.info);
   return list;
 }

@@ -79,24 +79,6 @@ TEST(Recognizer, AHalfHiddenRearGrowsBehindWhatHidesIt) {
   }
 }
 
-TEST(Recognizer, ModelCarsOfATenthAreFoundAtScaleATenth) {
-  RandomStream random(10);
-  const Scanner scanner{.sigma_range_m = 0.004};
-  shape::ShapeOptions shape_options;
-  shape_options.outline.scale = 0.1;
-  RecognizerOptions options;
-  options.scale = 0.1;
-  shape::OutlineExtractor extract(shape_options);
-  Recognizer recognize(options);
-  for (int k = 0; k < 12; ++k) {
-    const Box2 car{{2, 0.2}, radians(15.0 * k), 0.44, 0.18};
-    const auto shot = look({car}, scanner, random);
-    const auto found = recognize(extract(shot.scan, shot.clusters));
-    ASSERT_EQ(found.size(), 1u) << k;
-    EXPECT_LT((found[0].box.centre_m - car.centre_m).norm(), 0.04) << k;
-  }
-}
-
 TEST(Recognizer, SmallUsersAreUnknownAndOnlyOnRequest) {
   RandomStream random(11);
   const Box2 pedestrian{{10, 1}, 0, 0.5, 0.5};

@@ -182,6 +182,7 @@ Result<std::vector<DetectionFrame>> read_detection_table(LineReader lines,
   }
   if (frames.empty()) return table->nothing_found("detections");
   std::vector<DetectionFrame> in_order;
+  in_order.reserve(frames.size());
   for (auto& [key, frame] : frames) in_order.push_back(std::move(frame));
   return in_order;
 }

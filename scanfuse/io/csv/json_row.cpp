@@ -28,7 +28,7 @@ class JsonRowHandler {
   bool binary(binary_t&) { return false; }
   bool start_object(std::size_t) { return ++depth_ < 64; }
   bool end_object() { return depth_-- > 0; }
-  bool start_array(std::size_t) { return depth_ > 0 && ++depth_ < 64; }
+  bool start_array(std::size_t size) { return depth_ > 0 && start_object(size); }
   bool end_array() { return depth_-- > 0; }
   bool key(string_t& name) {
     if (depth_ != 1) return true;

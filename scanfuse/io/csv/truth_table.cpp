@@ -85,6 +85,7 @@ Result<std::vector<TruthFrame>> read_truth_table(LineReader lines, Diagnostics& 
   }
   if (frames.empty()) return table->nothing_found("truth");
   std::vector<TruthFrame> in_order;
+  in_order.reserve(frames.size());
   for (auto& [number, frame] : frames) in_order.push_back(std::move(frame));
   return in_order;
 }

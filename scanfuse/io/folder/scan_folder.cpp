@@ -8,6 +8,17 @@
 namespace scanfuse::io {
 namespace {
 
+Result<std::string> read_small_file(const std::filesystem::path& path) {
+  constexpr std::size_t kMost = std::size_t{2} << 30;
+  auto source = open_bytes(path);
+  if (!source) return tl::unexpected(source.error());
+  auto bytes = read_start(**source, kMost + 1);
+  if (bytes && bytes->size() > kMost) {
+    return fail(Error::Code::kUnsupported, "{}: more than 2 GiB in one scan", path.string());
+  }
+  return bytes;
+}
+
 class ScanFolderReader final : public RecordingReader {
  public:
   ScanFolderReader(ScanFolder folder, const OpenOptions& options) : folder_(std::move(folder)) {
@@ -66,7 +77,7 @@ class ScanFolderReader final : public RecordingReader {
   Result<void> load_next() {
     const ScanFile& file = folder_.files[next_file_];
     const auto number = static_cast<std::int64_t>(next_file_++);
-    auto scan = folder_.load(file.path, folder_.diagnostics);
+    auto scan = load(file.path);
     if (!scan) {
       folder_.diagnostics.damage("file skipped", scan.error().message);
       return tl::unexpected(scan.error());
@@ -79,6 +90,12 @@ class ScanFolderReader final : public RecordingReader {
     any_good_ = true;
     ahead_ = std::move(*scan);
     return {};
+  }
+
+  Result<Scan> load(const std::filesystem::path& path) {
+    const auto bytes = read_small_file(path);
+    if (!bytes) return tl::unexpected(bytes.error());
+    return folder_.read(*bytes, path.string(), folder_.diagnostics);
   }
 
   void add_topic(const std::string& name, const std::string& type, std::size_t count,
@@ -108,17 +125,6 @@ Result<std::unique_ptr<RecordingReader>> read_scan_folder(ScanFolder folder,
   auto reader = std::make_unique<ScanFolderReader>(std::move(folder), options);
   if (auto loaded = reader->look_ahead(); !loaded) return tl::unexpected(loaded.error());
   return reader;
-}
-
-Result<std::string> read_small_file(const std::filesystem::path& path) {
-  constexpr std::size_t kMost = std::size_t{2} << 30;
-  auto source = open_bytes(path);
-  if (!source) return tl::unexpected(source.error());
-  auto bytes = read_start(**source, kMost + 1);
-  if (bytes && bytes->size() > kMost) {
-    return fail(Error::Code::kUnsupported, "{}: more than 2 GiB in one scan", path.string());
-  }
-  return bytes;
 }
 
 }  // namespace scanfuse::io

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "scanfuse/io/folder/stamps.hpp"
@@ -20,15 +19,13 @@ struct ScanFolder {
   std::vector<TransformSample> mounts;  ///< given out first, under "/tf_static"
   std::string pose_topic;
   Diagnostics diagnostics;
-  std::function<Result<Scan>(const std::filesystem::path&, Diagnostics&)> load;
+  /// A scan from the bytes of a file of this name.
+  Result<Scan> (*read)(std::string_view bytes, const std::string& name, Diagnostics&) = nullptr;
 };
 
-/// Reads the files one at a time, poses between them by time. A file that cannot be read is counted
-/// as damage and passed over; when none can, the error is that of the first.
+/// Reads the files one at a time, poses between them by time. A file that cannot be read, or is
+/// past 2 GiB, is counted as damage and passed over; when none can, the error is that of the first.
 [[nodiscard]] Result<std::unique_ptr<RecordingReader>> read_scan_folder(ScanFolder folder,
                                                                         const OpenOptions& options);
-
-/// The bytes of one file; an error past 2 GiB.
-[[nodiscard]] Result<std::string> read_small_file(const std::filesystem::path& path);
 
 }  // namespace scanfuse::io

@@ -102,6 +102,7 @@ std::vector<ScanFile> stamp_files(const std::filesystem::path& folder,
                                   std::vector<std::filesystem::path> files,
                                   Diagnostics& diagnostics) {
   std::vector<ScanFile> stamped;
+  stamped.reserve(files.size());
   for (auto& file : files) stamped.push_back({std::move(file), Time{}});
   if (fill_from_list(folder, stamped, diagnostics)) return stamped;
   const bool named = std::all_of(stamped.begin(), stamped.end(), [](const ScanFile& file) {

@@ -93,11 +93,7 @@ Result<std::unique_ptr<RecordingReader>> open_kitti(const std::filesystem::path&
   } else {
     folder.files = stamp_files(path, {path}, folder.diagnostics);
   }
-  folder.load = [](const std::filesystem::path& file, Diagnostics& diagnostics) -> Result<Scan> {
-    const auto bytes = read_small_file(file);
-    if (!bytes) return tl::unexpected(bytes.error());
-    return read_kitti_bin(*bytes, file.string(), diagnostics);
-  };
+  folder.read = read_kitti_bin;
   return read_scan_folder(std::move(folder), options);
 }
 

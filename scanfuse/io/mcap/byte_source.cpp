@@ -32,7 +32,7 @@ class FileBytes final : public ByteSource {
   }
 
  private:
-  static constexpr std::size_t kWindow = 64 * 1024;
+  static constexpr std::size_t kWindow = std::size_t{64} * 1024;
 
   Result<void> read_file(std::uint64_t offset, std::span<std::byte> into) {
     file_.clear();

@@ -150,12 +150,9 @@ Track parse_track(JsonMembers& in) {
   track.nis = in.number_or("nis", 0);
   const auto state = in.numbers("state", 4);
   const auto covariance = in.numbers("state_covariance", 16);
-  for (int i = 0; i < 4; ++i) {
-    track.state.mean(i) = state[static_cast<std::size_t>(i)];
-    for (int j = 0; j < 4; ++j) {
-      track.state.covariance(i, j) = covariance[static_cast<std::size_t>(4 * i + j)];
-    }
-  }
+  track.state.mean = Eigen::Map<const Eigen::Vector4d>(state.data());
+  track.state.covariance =
+      Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(covariance.data());
   return track;
 }
 

@@ -253,11 +253,7 @@ Result<std::unique_ptr<RecordingReader>> open_pcd(const std::filesystem::path& p
   if (folder.files.empty()) {
     return fail(Error::Code::kNotFound, "{}: no .pcd file in it", path.string());
   }
-  folder.load = [](const std::filesystem::path& file, Diagnostics& diagnostics) -> Result<Scan> {
-    const auto bytes = read_small_file(file);
-    if (!bytes) return tl::unexpected(bytes.error());
-    return read_pcd(*bytes, file.string(), diagnostics);
-  };
+  folder.read = read_pcd;
   return read_scan_folder(std::move(folder), options);
 }
 

@@ -90,14 +90,6 @@ float intensity_at(const std::vector<float>& intensities, std::size_t i) {
   return i < intensities.size() && std::isfinite(intensities[i]) ? intensities[i] : 0.0F;
 }
 
-Scan begin_scan(WireReader& reader) {
-  auto header = read_header(reader);
-  Scan scan;
-  scan.stamp = header.stamp;
-  scan.frame_id = std::move(header.frame_id);
-  return scan;
-}
-
 struct Echo {
   float range;
   float intensity;
@@ -128,7 +120,7 @@ std::vector<std::vector<float>> read_echo_lists(WireReader& reader) {
 
 DecodedMessage decode_laser_scan(WireReader& reader) {
   DecodedMessage decoded;
-  Scan scan = begin_scan(reader);
+  auto scan = read_stamped<Scan>(reader);
   Sweep sweep = read_sweep(reader);
   const auto ranges = read_floats(reader);
   const auto intensities = read_floats(reader);
@@ -150,7 +142,7 @@ DecodedMessage decode_laser_scan(WireReader& reader) {
 
 DecodedMessage decode_multi_echo_laser_scan(WireReader& reader) {
   DecodedMessage decoded;
-  Scan scan = begin_scan(reader);
+  auto scan = read_stamped<Scan>(reader);
   Sweep sweep = read_sweep(reader);
   const auto ranges = read_echo_lists(reader);
   const auto intensities = read_echo_lists(reader);

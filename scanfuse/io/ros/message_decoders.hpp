@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
 #include "scanfuse/io/ros/decode.hpp"
 #include "scanfuse/io/ros/wire_reader.hpp"
@@ -13,6 +14,16 @@ struct Header {
   std::string frame_id;
 };
 [[nodiscard]] Header read_header(WireReader& reader);
+
+/// A scan or sample with the stamp and frame of the header that comes next.
+template <class T>
+[[nodiscard]] T read_stamped(WireReader& reader) {
+  auto header = read_header(reader);
+  T sample;
+  sample.stamp = header.stamp;
+  sample.frame_id = std::move(header.frame_id);
+  return sample;
+}
 
 /// No lidar reaches this far; keeps squares of coordinates finite.
 inline constexpr float kFarthestM = 1e6F;

@@ -223,10 +223,7 @@ void set_times(Scan& scan, const std::vector<std::int64_t>& nanos, Diagnostics& 
 
 DecodedMessage decode_point_cloud(WireReader& reader) {
   DecodedMessage decoded;
-  auto header = read_header(reader);
-  Scan scan;
-  scan.stamp = header.stamp;
-  scan.frame_id = std::move(header.frame_id);
+  auto scan = read_stamped<Scan>(reader);
   const Cloud cloud = read_cloud(reader);
   if (!reader.ok()) return decoded;
   std::vector<std::int64_t> nanos;

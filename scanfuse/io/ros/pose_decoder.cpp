@@ -67,19 +67,11 @@ std::optional<TransformSample> read_transform(WireReader& reader, Diagnostics& d
   return edge;
 }
 
-PoseSample begin_pose(WireReader& reader) {
-  auto header = read_header(reader);
-  PoseSample sample;
-  sample.stamp = header.stamp;
-  sample.frame_id = std::move(header.frame_id);
-  return sample;
-}
-
 }  // namespace
 
 DecodedMessage decode_odometry(WireReader& reader) {
   DecodedMessage decoded;
-  PoseSample sample = begin_pose(reader);
+  auto sample = read_stamped<PoseSample>(reader);
   sample.child_frame_id = reader.read_string();
   sample.pose = read_pose(reader, decoded.diagnostics);
   reader.skip<double>(36);
@@ -95,7 +87,7 @@ DecodedMessage decode_odometry(WireReader& reader) {
 
 DecodedMessage decode_pose(WireReader& reader, bool with_covariance) {
   DecodedMessage decoded;
-  PoseSample sample = begin_pose(reader);
+  auto sample = read_stamped<PoseSample>(reader);
   sample.pose = read_pose(reader, decoded.diagnostics);
   if (with_covariance) reader.skip<double>(36);
   decoded.payload = std::move(sample);
@@ -123,10 +115,7 @@ DecodedMessage decode_transforms(WireReader& reader) {
 
 DecodedMessage decode_imu(WireReader& reader) {
   DecodedMessage decoded;
-  auto header = read_header(reader);
-  ImuSample sample;
-  sample.stamp = header.stamp;
-  sample.frame_id = std::move(header.frame_id);
+  auto sample = read_stamped<ImuSample>(reader);
   const auto orientation = read_quaternion(reader);
   const auto known = reader.read<double>();  // -1 in front of a covariance: no such data
   reader.skip<double>(8);

@@ -105,7 +105,7 @@ Result<std::unique_ptr<ByteSource>> open_bytes(const std::filesystem::path& path
   return unpack(path.string(), std::move(prefix), std::move(plain));
 }
 
-std::unique_ptr<ByteSource> open_memory(std::string name, std::string bytes) {
+std::unique_ptr<ByteSource> open_memory(std::string name, const std::string& bytes) {
   std::string prefix = bytes.substr(0, 6);
   auto rest = std::make_unique<MemoryBytes>(bytes.substr(prefix.size()));
   return unpack(std::move(name), std::move(prefix), std::move(rest));

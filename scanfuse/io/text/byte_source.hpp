@@ -26,7 +26,7 @@ class ByteSource {
 [[nodiscard]] Result<std::unique_ptr<ByteSource>> open_bytes(const std::filesystem::path& path);
 
 /// The same over bytes in memory. `name` stands in error messages.
-[[nodiscard]] std::unique_ptr<ByteSource> open_memory(std::string name, std::string bytes);
+[[nodiscard]] std::unique_ptr<ByteSource> open_memory(std::string name, const std::string& bytes);
 
 /// How the file is packed: "gzip", "xz" or "none".
 [[nodiscard]] std::string packing_of(std::string_view first_bytes);
