@@ -14,6 +14,7 @@ struct EvaluateArguments {
   std::string tracks;
   std::string truth;
   std::string truth_frame;
+  std::string similarity = "centre";
   std::vector<double> region;
   bool skip_unlisted = false;
   bool json = false;
@@ -78,6 +79,9 @@ int run_evaluate(EvaluateArguments arguments, const CommonOptions& common) {
   if (arguments.skip_unlisted) {
     arguments.options.unlisted_frames = evaluate::UnlistedFrames::kSkip;
   }
+  if (arguments.similarity == "bev_iou") {
+    arguments.options.similarity = evaluate::SimilarityBy::kBevIou;
+  }
   Diagnostics diagnostics;
   auto steps = io::read_tracks(arguments.tracks, &diagnostics);
   if (!steps) return report_error(steps.error());
@@ -110,6 +114,11 @@ void add_evaluate_options(CLI::App& command, EvaluateArguments& a) {
       .add_option("--similarity-m", a.options.similarity_m,
                   "Distance at which similarity is 0; CLEAR and identity ask for 0.5")
       ->check(CLI::Range(1e-3, 100.0))
+      ->capture_default_str();
+  command
+      .add_option("--similarity", a.similarity,
+                  "centre: by distance of centres; bev_iou: by overlap of boxes from above")
+      ->check(CLI::IsMember({"centre", "bev_iou"}))
       ->capture_default_str();
   command.add_option("--gospa-c-m", a.options.gospa_c_m, "Cut-off distance of GOSPA and OSPA")
       ->check(CLI::Range(1e-3, 1000.0))

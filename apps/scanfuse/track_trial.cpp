@@ -23,6 +23,7 @@ bool keeps_identity(const evaluate::Evaluation& score) {
 evaluate::EvaluateOptions lu2018_scoring() {
   evaluate::EvaluateOptions scoring;
   scoring.gospa_c_m = 3;
+  scoring.amota_levels = 0;
   scoring.min_visible_points = 3;
   scoring.region_y0_m = -2;
   scoring.region_y1_m = 5.4;

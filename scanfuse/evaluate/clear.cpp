@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "scanfuse/core/assignment.hpp"
+#include "scanfuse/geometry/overlap.hpp"
 
 namespace scanfuse::evaluate {
 namespace {
@@ -19,9 +20,28 @@ struct ObjectHistory {
   std::int64_t starts = 0;  ///< times it went from lost to tracked
 };
 
+Eigen::MatrixXd overlaps(const ScoredFrame& frame) {
+  Eigen::MatrixXd overlap =
+      Eigen::MatrixXd::Zero(std::ssize(frame.truth), std::ssize(frame.tracks));
+  for (std::size_t i = 0; i < frame.truth.size(); ++i) {
+    const auto box = box_of(frame.truth[i]);
+    for (std::size_t j = 0; box && j < frame.tracks.size(); ++j) {
+      overlap(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
+          intersection_over_union(*box, frame.tracks[j].box);
+    }
+  }
+  return overlap;
+}
+
 }  // namespace
 
+std::optional<Box2> box_of(const TruthObject& object) {
+  if (!object.heading_rad || !object.length_m || !object.width_m) return std::nullopt;
+  return Box2{object.position_m, *object.heading_rad, *object.length_m, *object.width_m};
+}
+
 Eigen::MatrixXd similarity(const ScoredFrame& frame, const EvaluateOptions& options) {
+  if (options.similarity == SimilarityBy::kBevIou) return overlaps(frame);
   const double reach = std::max(options.similarity_m, options.match_m);
   return (1.0 - frame.distance_m.array() / reach).max(0.0);
 }

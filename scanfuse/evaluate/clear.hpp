@@ -8,8 +8,12 @@
 
 namespace scanfuse::evaluate {
 
-/// Similarity of all pairs of a frame, max(0, 1 - d / s), and which of them may match in CLEAR and
-/// identity metrics: similarity at least `match_similarity` and d <= match_m.
+/// The object's box; none where the truth does not tell heading and extent.
+[[nodiscard]] std::optional<Box2> box_of(const TruthObject& object);
+
+/// Similarity of all pairs of a frame, max(0, 1 - d / s) or the IoU of their boxes, and which of
+/// them may match in CLEAR and identity metrics: similarity at least `match_similarity` and d <=
+/// match_m.
 [[nodiscard]] Eigen::MatrixXd similarity(const ScoredFrame& frame, const EvaluateOptions& options);
 [[nodiscard]] Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic> matchable(
     const ScoredFrame& frame, const EvaluateOptions& options);

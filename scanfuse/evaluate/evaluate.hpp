@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "scanfuse/evaluate/amota.hpp"
+#include "scanfuse/evaluate/by_range.hpp"
 #include "scanfuse/evaluate/clear.hpp"
 #include "scanfuse/evaluate/errors.hpp"
 #include "scanfuse/evaluate/gospa.hpp"
@@ -39,8 +41,15 @@ struct Evaluation {
   SetMetrics sets;
   RmseMetrics rmse;
   ConsistencyMetrics consistency;
+  AverageMetrics average;
   std::optional<double> ghosts_per_frame;  ///< tracks that follow no object; none without frames
+  std::optional<double> ghost_movers_per_frame;  ///< tracks that move where no object is
+  /// From an object's first scan to the first in which a confirmed track followed it; median over
+  /// the objects that were followed.
+  std::optional<double> time_to_confirm_s;
+  std::optional<double> bev_iou;  ///< mean over wide matches whose truth tells heading and extent
   std::map<ObjectClass, ClassMetrics> detection;  ///< classes that truth or tracks have
+  std::map<ObjectClass, std::vector<RangeMetrics>> detection_by_range;
   std::map<ObjectClass, std::map<ObjectClass, std::int64_t>> confusion;  ///< [truth][track], pairs
   std::map<std::int64_t, std::vector<FollowedBy>> followed_by;  ///< truth id -> frames, ascending
 

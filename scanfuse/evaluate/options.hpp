@@ -16,9 +16,19 @@ constexpr auto choices(UnlistedFrames) {
   return std::array{std::pair{"count", kCount}, std::pair{"skip", kSkip}};
 }
 
+/// What makes a track similar to an object: the distance of their centres, or the overlap of their
+/// boxes seen from above (0 where the truth tells no extent).
+enum class SimilarityBy { kCentre, kBevIou };
+
+constexpr auto choices(SimilarityBy) {
+  using enum SimilarityBy;
+  return std::array{std::pair{"centre", kCentre}, std::pair{"bev_iou", kBevIou}};
+}
+
 /// Distances are between centres in the plane. Similarity of a truth object and a track at distance
-/// d is max(0, 1 - d / s), s the larger of `similarity_m` and `match_m`.
+/// d is max(0, 1 - d / s), s the larger of `similarity_m` and `match_m`, or the IoU of their boxes.
 struct EvaluateOptions {
+  SimilarityBy similarity = SimilarityBy::kCentre;
   double match_m = 2;
   double similarity_m = 2;
   double match_similarity = 0.5;
@@ -26,6 +36,10 @@ struct EvaluateOptions {
   double gospa_p = 2;
   double gospa_alpha = 2;
   int ospa2_window_frames = 10;
+  int amota_levels = 40;
+  double ghost_speed_m_per_s = 0.3;
+  double ghost_distance_m = 0.5;
+  double ring_m = 10;
   int min_visible_points = 0;
   double region_x0_m = -1e9;
   double region_x1_m = 1e9;
@@ -36,6 +50,7 @@ struct EvaluateOptions {
   static constexpr auto fields() {
     using O = EvaluateOptions;
     return std::tuple{
+        Field{"similarity", &O::similarity, "by distance of centres, or overlap from above"},
         Field{"match_m", &O::match_m, 1e-3, 100.0,
               "a track farther than this from an object is never its match"},
         Field{"similarity_m", &O::similarity_m, 1e-3, 100.0,
@@ -47,6 +62,13 @@ struct EvaluateOptions {
         Field{"gospa_alpha", &O::gospa_alpha, 0.01, 2.0, "GOSPA: a miss costs c^p / alpha"},
         Field{"ospa2_window_frames", &O::ospa2_window_frames, 1, 10000,
               "OSPA(2) compares the tracks of this many latest frames"},
+        Field{"amota_levels", &O::amota_levels, 0, 1000,
+              "levels of recall that AMOTA averages over; 0: left out"},
+        Field{"ghost_speed_m_per_s", &O::ghost_speed_m_per_s, 0.0, 100.0,
+              "ghost movers are tracks faster than this"},
+        Field{"ghost_distance_m", &O::ghost_distance_m, 0.0, 100.0,
+              "and farther than this from every object"},
+        Field{"ring_m", &O::ring_m, 0.1, 1000.0, "width of the rings of precision against range"},
         Field{"min_visible_points", &O::min_visible_points, 0, 1000000,
               "truth objects with fewer returns are ignored, and what tracks them"},
         Field{"region_x0_m", &O::region_x0_m, -1e9, 1e9, "only what is inside counts, truth frame"},

@@ -66,6 +66,26 @@ std::string classes_json(const Evaluation& e) {
   return classes.str();
 }
 
+std::string by_range_json(const Evaluation& e) {
+  JsonObject classes;
+  for (const auto& [name, rings] : e.detection_by_range) {
+    std::string list;
+    for (const RangeMetrics& ring : rings) {
+      list += list.empty() ? "" : ",";
+      list += JsonObject()
+                  .add("from_m", ring.from_m)
+                  .add("to_m", ring.to_m)
+                  .add("objects", ring.objects)
+                  .add("tracks", ring.tracks)
+                  .add("precision", ring.precision)
+                  .add("recall", ring.recall)
+                  .str();
+    }
+    classes.raw(to_string(name), "[" + list + "]");
+  }
+  return classes.str();
+}
+
 std::string confusion_json(const Evaluation& e) {
   JsonObject rows;
   for (const auto& [is, said] : e.confusion) {
@@ -116,7 +136,10 @@ void error_rows(TextTable& table, const Evaluation& e) {
   table.row("length", shown(e.rmse.length_m, "m"));
   table.row("width", shown(e.rmse.width_m, "m"));
   table.row("share of headings reversed", shown(e.rmse.heading_reversed_share));
+  table.row("overlap of boxes (BEV IoU), mean", shown(e.bev_iou));
   table.row("ghosts per frame", shown(e.ghosts_per_frame));
+  table.row("of them moving", shown(e.ghost_movers_per_frame));
+  table.row("time to confirm, median", shown(e.time_to_confirm_s, "s"));
   table.head("Consistency");
   table.row("NEES, mean (4 is right)", shown(e.consistency.anees));
   table.row("NEES, median (3.36 is right)", shown(e.consistency.nees_median));
@@ -152,7 +175,16 @@ std::string to_json(const Evaluation& e) {
       .raw("rmse", rmse_json(e.rmse))
       .add("heading_reversed_share", e.rmse.heading_reversed_share)
       .add("ghosts_per_frame", e.ghosts_per_frame)
+      .add("ghost_movers_per_frame", e.ghost_movers_per_frame)
+      .add("time_to_confirm_s", e.time_to_confirm_s)
+      .add("bev_iou", e.bev_iou)
+      .raw("average", JsonObject()
+                          .add("AMOTA", e.average.amota)
+                          .add("sAMOTA", e.average.samota)
+                          .add("AMOTP_m", e.average.amotp_m)
+                          .str())
       .raw("detection", classes_json(e))
+      .raw("detection_by_range", by_range_json(e))
       .raw("confusion", confusion_json(e))
       .raw("consistency", JsonObject()
                               .add("anees", e.consistency.anees)
@@ -173,6 +205,8 @@ std::string to_text(const Evaluation& e) {
   table.row("HOTA", shown(e.hota.hota));
   table.row("DetA / AssA / LocA", fmt::format("{} / {} / {}", shown(e.hota.det_a),
                                               shown(e.hota.ass_a), shown(e.hota.loc_a)));
+  table.row("AMOTA / sAMOTA",
+            fmt::format("{} / {}", shown(e.average.amota), shown(e.average.samota)));
   table.head("Sets, mean over frames");
   table.row("GOSPA", shown(e.sets.gospa_m, "m"));
   table.row("localisation / missed / false",

@@ -70,6 +70,9 @@ ScoredFrame scored_frame(const StepResult* step, const TruthFrame* truth,
   if (truth != nullptr) frame.truth = truth->objects;
   if (step == nullptr) return frame;
   const Pose2 to_from = truth_from_output(*step, anchor);
+  if (anchor == nullptr || anchor->coordinate_frame != "ego") {
+    frame.viewer_m = step->world_from_ego.translation_m.head<2>();
+  }
   for (const Track& track : step->tracks) {
     if (track.status != TrackStatus::kTentative) frame.tracks.push_back(moved(track, to_from));
   }

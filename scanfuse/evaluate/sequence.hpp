@@ -17,9 +17,10 @@ struct ScoredFrame {
   std::int64_t frame = 0;
   std::vector<TruthObject> truth;
   std::vector<Track> tracks;
-  std::vector<int> truth_index;  ///< into Sequence::truth_ids, one each
-  std::vector<int> track_index;  ///< into Sequence::track_ids, one each
-  Eigen::MatrixXd distance_m;    ///< truth x tracks; infinity where a position is not finite
+  std::vector<int> truth_index;                        ///< into Sequence::truth_ids, one each
+  std::vector<int> track_index;                        ///< into Sequence::track_ids, one each
+  Eigen::Vector2d viewer_m = Eigen::Vector2d::Zero();  ///< the ego vehicle, where the step tells it
+  Eigen::MatrixXd distance_m;  ///< truth x tracks; infinity where a position is not finite
 };
 
 /// All scans in order of time, with ids numbered densely (ascending).

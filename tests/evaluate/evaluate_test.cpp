@@ -258,5 +258,71 @@ TEST(Ospa2, GrowsWhereAnIdentityChangesAndOspaDoesNot) {
   EXPECT_GT(*evaluate(changing, truths).sets.ospa2_m, 0.1);
 }
 
+TEST(Evaluate, CountsGhostMoversOnlyWhereNothingIsAndOnlyWhenTheyMove) {
+  auto ghost = track(7, 20, 0), wall = track(8, 30, 0), near = track(9, 0.3, 0);
+  ghost.speed_m_per_s = near.speed_m_per_s = 2;
+  const auto e =
+      evaluate(std::vector{step(0, {ghost, wall, near})}, std::vector{truth(0, {object(1, 0, 0)})});
+  EXPECT_DOUBLE_EQ(*e.ghost_movers_per_frame, 1);
+  EXPECT_DOUBLE_EQ(*e.ghosts_per_frame, 2);
+}
+
+TEST(Evaluate, TimesTheFirstConfirmedTrackOfAnObject) {
+  std::vector<StepResult> steps;
+  std::vector<TruthFrame> truths;
+  for (int k = 0; k < 10; ++k) {
+    steps.push_back(step(k, k < 3 ? std::vector<Track>{} : std::vector{track(7, k, 0)}));
+    truths.push_back(truth(k, {object(1, k, 0)}));
+  }
+  EXPECT_NEAR(*evaluate(steps, truths).time_to_confirm_s, 0.3, 1e-9);
+}
+
+TEST(Evaluate, TellsPrecisionAndRecallByRange) {
+  const auto e = evaluate(std::vector{step(0, {track(7, 5, 0), track(8, 25, 0)})},
+                          std::vector{truth(0, {object(1, 5, 0), object(2, 15, 0)})});
+  const auto& rings = e.detection_by_range.at(ObjectClass::kVehicle);
+  ASSERT_EQ(rings.size(), 3u);
+  EXPECT_DOUBLE_EQ(*rings[0].precision, 1);
+  EXPECT_DOUBLE_EQ(*rings[0].recall, 1);
+  EXPECT_DOUBLE_EQ(*rings[1].recall, 0);
+  EXPECT_FALSE(rings[1].precision.has_value());
+  EXPECT_DOUBLE_EQ(*rings[2].precision, 0);
+}
+
+TEST(Evaluate, AveragesOverRecallRewardTracksThatKnowWhichAreGhosts) {
+  const auto run = [](double score_of_ghost) {
+    std::vector<StepResult> steps;
+    std::vector<TruthFrame> truths;
+    for (int k = 0; k < 10; ++k) {
+      auto right = track(7, k, 0), ghost = track(8, k, 50);
+      right.class_probability = 0.8;
+      ghost.class_probability = score_of_ghost;
+      steps.push_back(step(k, {right, ghost}));
+      truths.push_back(truth(k, {object(1, k, 0)}));
+    }
+    return evaluate(steps, truths).average;
+  };
+  EXPECT_DOUBLE_EQ(*run(0.2).amota, 1);
+  EXPECT_DOUBLE_EQ(*run(0.2).samota, 1);
+  EXPECT_DOUBLE_EQ(*run(0.9).amota, 0);
+  EXPECT_DOUBLE_EQ(*run(0.9).samota, 0);
+}
+
+TEST(Evaluate, BoxesThatOverlapLittleDoNotMatchByOverlap) {
+  auto sideways = track(7, 0, 0);
+  sideways.box = {{0.4, 0}, kPi / 2, 4, 2};
+  auto box = object(1, 0, 0);
+  box.heading_rad = 0;
+  box.length_m = 4;
+  box.width_m = 2;
+  const std::vector steps{step(0, {sideways})};
+  const std::vector truths{truth(0, {box})};
+  EvaluateOptions by_overlap;
+  by_overlap.similarity = SimilarityBy::kBevIou;
+  EXPECT_EQ(evaluate(steps, truths).clear.true_positives, 1);
+  EXPECT_EQ(evaluate(steps, truths, by_overlap).clear.true_positives, 0);
+  EXPECT_NEAR(*evaluate(steps, truths).bev_iou, 1.0 / 3, 1e-9);
+}
+
 }  // namespace
 }  // namespace scanfuse::evaluate
