@@ -31,7 +31,8 @@ enum class TableKind { kNone, kPoints, kDetections, kTracks, kTruth, kEgo };
                                                           Diagnostics* diagnostics = nullptr);
 
 /// `frame,time_s,object_id,class,x_m,y_m[,z_m,heading_rad,vx_m_per_s,vy_m_per_s,length_m,width_m,`
-/// `height_m,visible_points,occluded]`; one TruthFrame per frame, ascending.
+/// `height_m,visible_points,occluded]`; one TruthFrame per frame, ascending. Or KITTI's tracking
+/// labels (kitti/labels.hpp), which stand in the ego frame.
 [[nodiscard]] Result<std::vector<TruthFrame>> read_truth(const std::filesystem::path& path,
                                                          Diagnostics* diagnostics = nullptr);
 

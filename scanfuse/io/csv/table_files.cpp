@@ -1,6 +1,7 @@
 #include "scanfuse/io/atomic_file.hpp"
 #include "scanfuse/io/csv/csv_table.hpp"
 #include "scanfuse/io/csv/tables_of_lines.hpp"
+#include "scanfuse/io/kitti/labels.hpp"
 #include "scanfuse/io/mcap/result_writer.hpp"
 
 namespace scanfuse::io {
@@ -60,6 +61,7 @@ TableKind table_kind(const std::filesystem::path& path) {
   if (trimmed(first).starts_with('{')) {
     return first.find("\"track_id\"") == first.npos ? TableKind::kNone : TableKind::kTracks;
   }
+  if (is_kitti_label(first)) return TableKind::kTruth;
   return table_kind_of_header(first);
 }
 
@@ -92,6 +94,10 @@ Result<std::vector<StepResult>> read_tracks(const std::filesystem::path& path,
 
 Result<std::vector<TruthFrame>> read_truth(const std::filesystem::path& path,
                                            Diagnostics* diagnostics) {
+  Diagnostics ignored;
+  if (auto lines = LineReader::open(path); lines && is_kitti_label(lines->peek_content(ignored))) {
+    return read_kitti_labels(path, diagnostics != nullptr ? *diagnostics : ignored);
+  }
   return read_table_file(path, diagnostics, &read_truth_table);
 }
 
