@@ -94,9 +94,11 @@ void ClusterJoiner::make_room(std::size_t points, std::size_t clusters, std::siz
 void ClusterJoiner::look(const VirtualScan& scan, const Clusters& clusters) {
   pieces_.clear();
   for (std::size_t k = 0; k < clusters.size(); ++k) {
-    Piece piece{clusters[k].front(), clusters[k].back(), {}, -1};
+    Piece& piece = pieces_.emplace_back();
+    if (clusters[k].empty()) continue;
+    piece.first = clusters[k].front();
+    piece.last = clusters[k].back();
     piece.cut = find_cut_ends(scan, piece.first, piece.last, occlusion_);
-    pieces_.push_back(piece);
   }
 }
 
@@ -171,6 +173,7 @@ std::size_t ClusterJoiner::join_inside(const VirtualScan& scan, const Clusters& 
 
 void ClusterJoiner::join_neighbours(const VirtualScan& scan, const Clusters& clusters) {
   for (std::size_t k = 0; k + 1 < clusters.size(); ++k) {
+    if (clusters[k].empty() || clusters[k + 1].empty()) continue;
     const Eigen::Vector2d from = scan.position(pieces_[k].last),
                           to = scan.position(pieces_[k + 1].first), gap = to - from;
     if (gap.norm() >= options_.guo_gap_m) continue;

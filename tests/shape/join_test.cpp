@@ -121,6 +121,20 @@ TEST(ClusterJoiner, TheMethodNoneChangesNothing) {
   EXPECT_EQ(&join(shot.scan, pieces, {}), &pieces);
 }
 
+TEST(ClusterJoiner, EmptyClustersStayAsTheyAre) {
+  RandomStream random(1);
+  const Snapshot shot = look({kCar}, {}, random);
+  Clusters pieces;
+  pieces.close();
+  pieces.indices.assign(shot.clusters[0].begin(), shot.clusters[0].end());
+  pieces.close();
+  pieces.close();
+  for (const auto method : {JoinMethod::kOccluder, JoinMethod::kGuo}) {
+    auto join = joiner(method);
+    EXPECT_EQ(join(shot.scan, pieces, {}).size(), 3u);
+  }
+}
+
 TEST(ClusterJoiner, AnEmptyScanHasNothingToJoin) {
   auto join = joiner();
   const Expected expected{kCar, 0.1, ObjectClass::kVehicle};
