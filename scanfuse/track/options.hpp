@@ -34,11 +34,21 @@ constexpr auto choices(Start) {
   return std::array{std::pair{"velocity_prior", kVelocityPrior}, std::pair{"paper", kPaper}};
 }
 
+/// How targets are believed to move between scans (motion.hpp).
+enum class Motion { kCv, kCtrv, kCtra, kImm };
+
+constexpr auto choices(Motion) {
+  using enum Motion;
+  return std::array{std::pair{"cv", kCv}, std::pair{"ctrv", kCtrv}, std::pair{"ctra", kCtra},
+                    std::pair{"imm", kImm}};
+}
+
 struct TrackerOptions {
   MeasuredAs measurement = MeasuredAs::kBox;
   associate::Method associator = associate::Method::kGlobal;
   Distance distance = Distance::kMahalanobis;
   Start start = Start::kVelocityPrior;
+  Motion motion = Motion::kCv;
   double gate_probability = 0.999;
   double gate_distance_m = 4;
   double unassigned_cost = 10;
@@ -64,6 +74,8 @@ struct TrackerOptions {
         Field{"associator", &O::associator, "how detections are given to tracks"},
         Field{"distance", &O::distance, "distance that gates and prices a pair"},
         Field{"start", &O::start, "what a new track believes of its velocity"},
+        Field{"motion", &O::motion,
+              "constant velocity, with turn rate, with acceleration too, or a mixture"},
         Field{"gate_probability", &O::gate_probability, 0.5, 0.999999,
               "share of right pairs inside the chi-square gate (mahalanobis)"},
         Field{"gate_distance_m", &O::gate_distance_m, 0.1, 50.0,

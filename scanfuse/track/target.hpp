@@ -18,11 +18,16 @@ enum State : int { kX, kVx, kY, kVy, kLength, kWidth, kStates };
 using StateVector = Eigen::Matrix<double, kStates, 1>;
 using StateMatrix = Eigen::Matrix<double, kStates, kStates>;
 
+/// The modes that `Motion::kImm` mixes: at rest, even motion, manoeuvre (motion.hpp).
+enum Mode : int { kStill, kEven, kManoeuvre, kModes };
+
 /// What the tracker believes of one object, in the tracking frame.
 struct Target {
   std::int64_t id = 0;
   TrackStatus status = TrackStatus::kTentative;
   Gaussian<kStates> state;
+  std::array<Gaussian<kStates>, kModes> modes;  ///< `Motion::kImm` only: `state` is their mixture
+  Eigen::Matrix<double, kModes, 1> mode_probability;
   Gaussian<2> heading;        ///< rad and rad/s; its sign is settled by motion
   double forward_m = 0;       ///< way gone along the heading: the evidence for its sign
   double accel_m_per_s2 = 0;  ///< along the motion, smoothed
