@@ -18,9 +18,12 @@ using Switching = Eigen::Matrix<double, kModes, kModes>;
 
 /// Share of `sigma_accel` that each mode has.
 constexpr std::array<double, kModes> kAccelShare{0, 0.4, 2.0};
-constexpr double kWander_m = 0.05;              ///< of the place at rest, in one second
-constexpr double kStillSpeed_m_per_s = 0.05;    ///< what "at rest" allows
-constexpr double kOnsetSpeed_m_per_s = 1.5;     ///< of something that starts to move
+constexpr double kWander_m = 0.05;            ///< of the place at rest, in one second
+constexpr double kStillSpeed_m_per_s = 0.05;  ///< what "at rest" allows
+constexpr double kOnsetSpeed_m_per_s = 1.5;   ///< of something that starts to move
+constexpr double kAtRest_m_per_s = 0.1;
+constexpr double kInMotion_m_per_s = 3;
+constexpr double kMovingMemory_s = 0.4;
 constexpr double kFastestTurn_rad_per_s = 1.5;  ///< boxes that jump turn faster, vehicles do not
 
 /// Modes are left so often, 1/s.
@@ -74,6 +77,12 @@ Gaussian<kStates> mixed(const Target& target, const Weights& weights) {
   return estimate::moment_match<kStates, kModes>(target.modes, weights);
 }
 
+/// ln N(v; 0, P + sigma^2 I), without the constant.
+double log_density(const Eigen::Vector2d& v, const Eigen::Matrix2d& P, double sigma) {
+  const Eigen::Matrix2d S = P + sigma * sigma * Eigen::Matrix2d::Identity();
+  return -0.5 * (v.dot(S.inverse() * v) + std::log(S.determinant()));
+}
+
 Weights reweighed(const Weights& prior, const Weights& log_likelihood) {
   const double largest = log_likelihood.maxCoeff();
   const Weights logs = (log_likelihood.array() - largest).exp() * prior.array();
@@ -110,6 +119,20 @@ Manoeuvre manoeuvre_of(const Target& target, const TrackerOptions& options) {
       std::clamp(target.heading.mean(1), -kFastestTurn_rad_per_s, kFastestTurn_rad_per_s);
   if (options.motion == Motion::kCtra) m.accel_m_per_s2 = target.accel_m_per_s2;
   return m;
+}
+
+void update_moving(Target& target, double dt_s, const TrackerOptions& options) {
+  if (options.motion == Motion::kImm) {
+    target.moving = 1 - target.mode_probability(kStill);
+    return;
+  }
+  const auto& C = target.state.covariance;
+  Eigen::Matrix2d P;
+  P << C(kVx, kVx), C(kVx, kVy), C(kVy, kVx), C(kVy, kVy);
+  const Eigen::Vector2d v = target.velocity_m_per_s();
+  const double odds = log_density(v, P, kAtRest_m_per_s) - log_density(v, P, kInMotion_m_per_s);
+  const double now = 1 / (1 + std::exp(odds));
+  target.moving += (1 - std::exp(-dt_s / kMovingMemory_s)) * (now - target.moving);
 }
 
 void start_modes(Target& target) {

@@ -55,6 +55,7 @@ struct TrackerOptions {
   double class_mismatch_cost = 4;
   double sigma_accel = 0.8;
   double sigma_velocity_m_per_s = 10;
+  double moving_from = 0;
   double sigma_position_m = 0.01;
   double sigma_p_m = 0.5;
   double sigma_m_m = 0.2;
@@ -88,6 +89,8 @@ struct TrackerOptions {
               "velocity gained in one second by white acceleration, m/s; 0: no process noise"},
         Field{"sigma_velocity_m_per_s", &O::sigma_velocity_m_per_s, 0.1, 100.0,
               "deviation of a new track's velocity (velocity_prior)"},
+        Field{"moving_from", &O::moving_from, 0.0, 1.0,
+              "confirmed tracks that move with a smaller probability are reported to stand"},
         Field{"sigma_position_m", &O::sigma_position_m, 0.0, 10.0,
               "added in quadrature to what detections say of their position"},
         Field{"sigma_p_m", &O::sigma_p_m, 0.001, 10.0, "sigma_p of eq. 14 of [Lu2018] (paper)"},

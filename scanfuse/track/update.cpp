@@ -128,6 +128,7 @@ void update(Target& target, const Detection& detection, int index, Time stamp, d
   update_heading(target, m);
   if (align_heading_with_course(target, dt_s)) reseat(target, detection, options);
   update_acceleration(target, speed_before, dt_s, options);
+  update_moving(target, dt_s, options);
   target.class_weight[static_cast<std::size_t>(detection.object_class)] +=
       std::clamp(detection.score, 0.0, 1.0);
   target.z_m += 0.3 * (detection.z_m - target.z_m);
