@@ -36,7 +36,9 @@ const std::vector<Benchmark>& benchmarks() {
        [](const BenchRequest& request) -> Result<std::vector<BenchRow>> {
          return bench_segment(seeds_of(request, {}));
        }},
-      {"track", "the three scenarios of [Lu2018] by the whole chain, against truth",
+      {"track",
+       "the scenarios of [Lu2018] and two bends by the whole chain; the tracker alone: set pieces, "
+       "speed",
        [](const BenchRequest& request) {
          return bench_track(seeds_of(request, {101, 20}), request.preset, request.changes,
                             request.threads);

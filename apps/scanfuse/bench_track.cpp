@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "bench_rows.hpp"
+#include "bench_set_pieces.hpp"
 #include "scanfuse/core/parallel.hpp"
 #include "scanfuse/pipeline/config.hpp"
 #include "track_trial.hpp"
@@ -95,6 +96,14 @@ Result<std::vector<BenchRow>> bench_track(const SeedRange& range, const std::str
     const auto more = rows_of(scenario + 1, trials);
     rows.insert(rows.end(), more.begin(), more.end());
   }
+  const auto append = [&](const std::vector<BenchRow>& more) {
+    rows.insert(rows.end(), more.begin(), more.end());
+  };
+  auto bends = bench_bends(range, *config, threads);
+  if (!bends) return bends;
+  append(*bends);
+  append(bench_set_pieces(config->track, 5 * range.count));
+  append(bench_tracker_speed(config->track));
   return rows;
 }
 

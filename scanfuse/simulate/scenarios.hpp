@@ -21,5 +21,7 @@ namespace scanfuse::simulate {
 [[nodiscard]] World empty_road(RandomStream random);
 [[nodiscard]] World crossing(RandomStream random);
 [[nodiscard]] World road_users(RandomStream random);
+[[nodiscard]] World curved_road(RandomStream random);
+[[nodiscard]] World curved_road_cyclist(RandomStream random);
 
 }  // namespace scanfuse::simulate

@@ -20,6 +20,8 @@ constexpr std::array kScenarios{
     Scenario{{"empty-road", "nobody but the ego car"}, empty_road},
     Scenario{{"crossing", "an intersection with crossing and turning cars"}, crossing},
     Scenario{{"road-users", "cars, pedestrians, cyclists and clutter to 60 m"}, road_users},
+    Scenario{{"curved-road", "a bend at up to 0.22 rad/s with oncoming cars"}, curved_road},
+    Scenario{{"curved-road-cyclist", "the same, and a cyclist crosses it"}, curved_road_cyclist},
 };
 
 // An instant in the life of every simulated recording: 2018-07-01 00:00 UTC.

@@ -12,7 +12,7 @@ namespace {
 /// A course of straight runs and arcs, sampled about every metre.
 class Course {
  public:
-  explicit Course(const Pose2& start) : at_(start), points_{{start.x_m, start.y_m}} {}
+  explicit Course(const Pose2& start) : at_(start), poses_{start} {}
 
   Course& run(double length_m) { return arc(length_m, 0); }
   /// Turns by `angle_rad` (left is positive) over `length_m`.
@@ -21,20 +21,30 @@ class Course {
     for (int i = 0; i < steps; ++i) {
       const double step = length_m / steps, turn = angle_rad / steps;
       at_ = at_ * Pose2{0, 0, turn / 2} * Pose2{step, 0, turn / 2};
-      points_.emplace_back(at_.x_m, at_.y_m);
+      poses_.push_back(at_);
     }
     return *this;
   }
+  /// The same way back, on a lane so far to the left.
+  [[nodiscard]] Course back(double left_m) const {
+    Course other(poses_.back() * Pose2{0, left_m, kPi});
+    for (auto pose = poses_.rbegin() + 1; pose != poses_.rend(); ++pose) {
+      other.poses_.push_back(*pose * Pose2{0, left_m, kPi});
+    }
+    return other;
+  }
+  [[nodiscard]] const std::vector<Pose2>& poses() const { return poses_; }
   /// `speed_at(metres from the start)`; the course begins at `start_s`.
   [[nodiscard]] PlanarMotion drive(double start_s,
                                    const std::function<double(double)>& speed_at) const {
-    std::vector<double> t{start_s}, x{points_[0].x()}, y{points_[0].y()};
+    std::vector<double> t{start_s}, x{poses_[0].x_m}, y{poses_[0].y_m};
     double s = 0;
-    for (std::size_t i = 1; i < points_.size(); ++i) {
-      const double step = (points_[i] - points_[i - 1]).norm();
+    for (std::size_t i = 1; i < poses_.size(); ++i) {
+      const double step =
+          std::hypot(poses_[i].x_m - poses_[i - 1].x_m, poses_[i].y_m - poses_[i - 1].y_m);
       t.push_back(t.back() + step / speed_at(s + step / 2));
-      x.push_back(points_[i].x());
-      y.push_back(points_[i].y());
+      x.push_back(poses_[i].x_m);
+      y.push_back(poses_[i].y_m);
       s += step;
     }
     return {Spline(t, x), Spline(t, y), std::nullopt};
@@ -42,7 +52,7 @@ class Course {
 
  private:
   Pose2 at_;
-  std::vector<Eigen::Vector2d> points_;
+  std::vector<Pose2> poses_;
 };
 
 std::function<double(double)> steady(double speed_m_per_s) {
@@ -149,6 +159,40 @@ void add_clutter(Mesh& mesh, double to_x_m, RandomStream& random) {
   }
 }
 
+/// Poles and trees along a course, behind its edges.
+void add_bend_side(Mesh& mesh, const Course& lane, RandomStream& random) {
+  const auto& poses = lane.poses();
+  for (std::size_t i = 0; i < poses.size(); i += 7 + random.below(6)) {
+    const bool left = random.chance(0.5);
+    const double away = left ? random.uniform(7, 9) : random.uniform(-6, -4);
+    const Eigen::Vector2d at = poses[i] * Eigen::Vector2d(0, away);
+    random.chance(0.5) ? add_pole(mesh, at, random.uniform(0.1, 0.3), 5)
+                       : add_tree(mesh, at, random);
+  }
+}
+
+/// A left-hand bend of 90 degrees that the ego car takes at up to 0.22 rad/s, and cars that come
+/// the other way: constant curvature between two halves of it.
+World bend(RandomStream& random, Course& lane) {
+  World world;
+  world.frames = 150;
+  add_ground(world.fixed, {-150, -150}, {250, 250});
+  constexpr double kSpeed = 7, kTurn = 0.22 / kSpeed;
+  lane = Course({}).run(12).arc(8, 4 * kTurn).arc(42, 42 * kTurn).arc(8, 4 * kTurn).run(110);
+  world.ego = lane.drive(0, steady(kSpeed));
+  add_bend_side(world.fixed, lane, random);
+  return world;
+}
+
+void add_oncoming(const Cast& cast, const Course& lane, RandomStream& random) {
+  const double speed = random.uniform(7, 8.5);
+  const Course way = lane.back(3.4);
+  const double length = static_cast<double>(way.poses().size());
+  for (double ahead = random.uniform(25, 35); ahead < 170; ahead += random.uniform(24, 38)) {
+    cast.car(way.drive((ahead - length) / speed, steady(speed)));
+  }
+}
+
 void add_traffic(const Cast& cast, double ego_speed, RandomStream& random) {
   for (double x = random.uniform(18, 26); x < 60; x += random.uniform(16, 26)) {
     cast.car(straight({x, random.uniform(-0.3, 0.3), 0}, ego_speed + 0.02 * x));
@@ -224,6 +268,25 @@ World crossing(RandomStream random) {
   cast.car(Course({kCrossX + 75, 3.4, kPi}).run(160).drive(3.5 + late(), steady(8)));
   cast.pedestrian(straight({kCrossX - 14, 8.2, -kPi / 2}, 0.6));
   cast.cyclist(Course({kCrossX + 4.6, -24, kPi / 2}).run(90).drive(0, steady(4)));
+  return world;
+}
+
+World curved_road(RandomStream random) {
+  Course lane({});
+  World world = bend(random, lane);
+  add_oncoming(Cast(world, random), lane, random);
+  return world;
+}
+
+World curved_road_cyclist(RandomStream random) {
+  Course lane({});
+  World world = bend(random, lane);
+  const Cast cast(world, random);
+  // Crosses the lane from the right, where the ego car comes by seconds later.
+  const auto at = static_cast<std::size_t>(random.uniform(48, 56));
+  const Pose2 start = lane.poses()[at] * Pose2{0, -random.uniform(9, 12), kPi / 2};
+  cast.cyclist(straight(start, random.uniform(3.2, 4.2)));
+  add_oncoming(cast, lane, random);
   return world;
 }
 

@@ -28,11 +28,6 @@ void fold(Gaussian<2>& heading, double measured_rad, double variance) {
   heading.mean(0) = wrap_pi(heading.mean(0));
 }
 
-bool follows_its_course(const Target& target) {
-  const ObjectClass kind = class_of(target);
-  return kind == ObjectClass::kPedestrian || kind == ObjectClass::kUnknown;
-}
-
 /// Fast and straight enough to overrule a box: a quarter turn must not follow from noise.
 bool surely_across(const Course& course) {
   return course.speed_m_per_s > kFast_m_per_s && course.variance_rad2 < radians(10) * radians(10);
@@ -56,6 +51,11 @@ Course course_of(const Gaussian<kStates>& state) {
   course.reliable = course.speed_m_per_s > kSlowest_m_per_s &&
                     course.speed_m_per_s > kSureRatio * std::sqrt(variance);
   return course;
+}
+
+bool follows_its_course(const Target& target) {
+  const ObjectClass kind = class_of(target);
+  return kind == ObjectClass::kPedestrian || kind == ObjectClass::kUnknown;
 }
 
 void predict_heading(Target& target, double dt_s) {

@@ -15,6 +15,9 @@ struct Course {
 
 [[nodiscard]] Course course_of(const Gaussian<kStates>& state);
 
+/// Whether its heading is where it goes, since its box tells none: pedestrians and what is unknown.
+[[nodiscard]] bool follows_its_course(const Target& target);
+
 /// Turns the belief on by its yaw rate. An object at rest is believed to keep its heading.
 void predict_heading(Target& target, double dt_s);
 

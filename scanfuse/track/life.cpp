@@ -5,6 +5,7 @@
 #include "scanfuse/associate/position_grid.hpp"
 #include "scanfuse/estimate/constant_velocity.hpp"
 #include "scanfuse/track/extent.hpp"
+#include "scanfuse/track/motion.hpp"
 #include "scanfuse/track/steps.hpp"
 
 namespace scanfuse::track {
@@ -93,6 +94,7 @@ Target birth(const Detection& detection, int index, std::int64_t id, Time stamp,
   target.state = starting_state(starting_motion(detection, m, dt_s, options),
                                 starting_extent(detection, m, options), m);
   update_extent(target.state, m);
+  if (options.motion == Motion::kImm) start_modes(target);
   target.heading.mean << m.heading_rad, 0;
   target.heading.covariance = Eigen::Vector2d(m.var_heading_rad2 + 0.01, 0.25).asDiagonal();
   target.class_weight[static_cast<std::size_t>(detection.object_class)] =
@@ -118,6 +120,10 @@ void reseat(Target& target, const Detection& detection, const TrackerOptions& op
   }
   target.state = starting_state(motion, starting_extent(detection, m, options), m);
   update_extent(target.state, m);
+  if (options.motion != Motion::kImm) return;
+  const auto probability = target.mode_probability;
+  start_modes(target);
+  target.mode_probability = probability;
 }
 
 void promote(Target& target, const TrackerOptions& options) {

@@ -34,17 +34,28 @@ constexpr auto choices(Start) {
   return std::array{std::pair{"velocity_prior", kVelocityPrior}, std::pair{"paper", kPaper}};
 }
 
+/// How targets are believed to move between scans (motion.hpp).
+enum class Motion { kCv, kCtrv, kCtra, kImm };
+
+constexpr auto choices(Motion) {
+  using enum Motion;
+  return std::array{std::pair{"cv", kCv}, std::pair{"ctrv", kCtrv}, std::pair{"ctra", kCtra},
+                    std::pair{"imm", kImm}};
+}
+
 struct TrackerOptions {
   MeasuredAs measurement = MeasuredAs::kBox;
   associate::Method associator = associate::Method::kGlobal;
   Distance distance = Distance::kMahalanobis;
   Start start = Start::kVelocityPrior;
+  Motion motion = Motion::kCv;
   double gate_probability = 0.999;
   double gate_distance_m = 4;
   double unassigned_cost = 10;
   double class_mismatch_cost = 4;
   double sigma_accel = 0.8;
   double sigma_velocity_m_per_s = 10;
+  double moving_from = 0;
   double sigma_position_m = 0.01;
   double sigma_p_m = 0.5;
   double sigma_m_m = 0.2;
@@ -64,6 +75,8 @@ struct TrackerOptions {
         Field{"associator", &O::associator, "how detections are given to tracks"},
         Field{"distance", &O::distance, "distance that gates and prices a pair"},
         Field{"start", &O::start, "what a new track believes of its velocity"},
+        Field{"motion", &O::motion,
+              "constant velocity, with turn rate, with acceleration too, or a mixture"},
         Field{"gate_probability", &O::gate_probability, 0.5, 0.999999,
               "share of right pairs inside the chi-square gate (mahalanobis)"},
         Field{"gate_distance_m", &O::gate_distance_m, 0.1, 50.0,
@@ -76,6 +89,8 @@ struct TrackerOptions {
               "velocity gained in one second by white acceleration, m/s; 0: no process noise"},
         Field{"sigma_velocity_m_per_s", &O::sigma_velocity_m_per_s, 0.1, 100.0,
               "deviation of a new track's velocity (velocity_prior)"},
+        Field{"moving_from", &O::moving_from, 0.0, 1.0,
+              "confirmed tracks that move with a smaller probability are reported to stand"},
         Field{"sigma_position_m", &O::sigma_position_m, 0.0, 10.0,
               "added in quadrature to what detections say of their position"},
         Field{"sigma_p_m", &O::sigma_p_m, 0.001, 10.0, "sigma_p of eq. 14 of [Lu2018] (paper)"},

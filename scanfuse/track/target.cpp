@@ -10,7 +10,20 @@ ObjectClass class_of(const Target& target) {
   return static_cast<ObjectClass>(best - target.class_weight.begin());
 }
 
-Track to_track(const Target& target) {
+namespace {
+
+/// Errors are counted from zero velocity then: E[v v'] = P + v v'.
+void stand(Track& track) {
+  Eigen::Vector4d v = track.state.mean;
+  v(kX) = v(kY) = 0;
+  track.state.covariance += v * v.transpose();
+  track.state.mean -= v;
+  track.speed_m_per_s = track.accel_m_per_s2 = track.yaw_rate_rad_per_s = 0;
+}
+
+}  // namespace
+
+Track to_track(const Target& target, double moving_from) {
   Track track;
   track.id = target.id;
   track.object_class = class_of(target);
@@ -29,6 +42,9 @@ Track to_track(const Target& target) {
   track.speed_m_per_s = target.velocity_m_per_s().norm();
   track.accel_m_per_s2 = target.accel_m_per_s2;
   track.yaw_rate_rad_per_s = target.heading.mean(1);
+  track.moving_probability = target.moving;
+  const bool stands = target.status == TrackStatus::kConfirmed && target.moving < moving_from;
+  if (stands) stand(track);
   track.age_frames = target.age_frames;
   track.missed_frames = target.missed_frames;
   track.detection = target.detection;

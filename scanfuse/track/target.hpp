@@ -18,12 +18,18 @@ enum State : int { kX, kVx, kY, kVy, kLength, kWidth, kStates };
 using StateVector = Eigen::Matrix<double, kStates, 1>;
 using StateMatrix = Eigen::Matrix<double, kStates, kStates>;
 
+/// The modes that `Motion::kImm` mixes: at rest, even motion, manoeuvre (motion.hpp).
+enum Mode : int { kStill, kEven, kManoeuvre, kModes };
+
 /// What the tracker believes of one object, in the tracking frame.
 struct Target {
   std::int64_t id = 0;
   TrackStatus status = TrackStatus::kTentative;
   Gaussian<kStates> state;
+  std::array<Gaussian<kStates>, kModes> modes;  ///< `Motion::kImm` only: `state` is their mixture
+  Eigen::Matrix<double, kModes, 1> mode_probability;
   Gaussian<2> heading;        ///< rad and rad/s; its sign is settled by motion
+  double moving = 0.5;        ///< probability that it moves (motion.hpp)
   double forward_m = 0;       ///< way gone along the heading: the evidence for its sign
   double accel_m_per_s2 = 0;  ///< along the motion, smoothed
   double z_m = 0;
@@ -50,7 +56,8 @@ struct Target {
 /// The class with the largest weight, the lowest of equals.
 [[nodiscard]] ObjectClass class_of(const Target& target);
 
-/// The target as a value to report.
-[[nodiscard]] Track to_track(const Target& target);
+/// The target as a value to report. When it is confirmed and moves with a probability below
+/// `moving_from` it stands: velocity zero, what was believed of it added to its covariance.
+[[nodiscard]] Track to_track(const Target& target, double moving_from = 0);
 
 }  // namespace scanfuse::track

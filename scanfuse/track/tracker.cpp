@@ -118,7 +118,9 @@ void Tracker::give_birth(Time stamp, double dt_s, std::span<const int> track_of_
 
 void Tracker::report() {
   tracks_.clear();
-  for (const Target& target : targets_) tracks_.push_back(to_track(target));
+  for (const Target& target : targets_) {
+    tracks_.push_back(to_track(target, options_.moving_from));
+  }
 }
 
 }  // namespace scanfuse::track

@@ -8,12 +8,16 @@
 #include "scanfuse/estimate/kalman.hpp"
 #include "scanfuse/track/extent.hpp"
 #include "scanfuse/track/heading.hpp"
+#include "scanfuse/track/motion.hpp"
 #include "scanfuse/track/steps.hpp"
 
 namespace scanfuse::track {
 namespace {
 
 constexpr double kAccelMemory_s = 0.5;
+/// ctra: corrections of the speed add up to an acceleration, which is forgotten when they cease.
+constexpr double kAccelRise_s = 0.7;
+constexpr double kAccelDecay_s = 1.5;
 constexpr double kUnsureSpeedDecay_s = 0.5;
 /// Distance of a detection's centre from its seen end is not bounded by the gate: search farther.
 constexpr double kLongestHalf_m = 4;
@@ -37,26 +41,51 @@ bool may_stand(const Target& target, const TrackerOptions& options) {
   return target.missed_frames > 0 && options.sigma_accel > 0 && !course_of(target.state).reliable;
 }
 
-void update_acceleration(Target& target, double speed_before, double dt_s) {
+/// `speed_before` as predicted: with ctra what was foreseen already is no part of the correction.
+void update_acceleration(Target& target, double speed_before, double dt_s,
+                         const TrackerOptions& options) {
   if (dt_s <= 0 || target.age_frames < 3) return;
   const double raw = (target.velocity_m_per_s().norm() - speed_before) / dt_s;
+  if (options.motion == Motion::kCtra) {
+    const double known = target.accel_m_per_s2 * std::exp(-dt_s / kAccelDecay_s);
+    target.accel_m_per_s2 = known + (1 - std::exp(-dt_s / kAccelRise_s)) * raw;
+    return;
+  }
   target.accel_m_per_s2 += (1 - std::exp(-dt_s / kAccelMemory_s)) * (raw - target.accel_m_per_s2);
+}
+
+void predict_state(Target& target, double dt_s, const StateMatrix& Q,
+                   const TrackerOptions& options) {
+  const Manoeuvre arc = manoeuvre_of(target, options);
+  Step step = step_along_arc(target.state.mean, dt_s, arc.yaw_rate_rad_per_s, arc.accel_m_per_s2);
+  if (may_stand(target, options)) {
+    const double keep = std::exp(-dt_s / kUnsureSpeedDecay_s);
+    step.F(kVx, kVx) = step.F(kVy, kVy) = keep;
+  }
+  target.state = estimate::predict(target.state, step.F, Q);
+  target.state.mean += step.shift;
+}
+
+void update_state(Target& target, const Measurement& m, const TrackerOptions& options) {
+  if (options.motion == Motion::kImm) return update_modes(target, m);
+  // The extent is not learned from positions: H turns with a noisy heading, and regression on a
+  // noisy H pulls the extent to zero.
+  target.state = estimate::update_considering(target.state, m.position, m.H, kLength);
+  update_extent(target.state, m);
 }
 
 }  // namespace
 
 void predict(std::vector<Target>& targets, double dt_s, const TrackerOptions& options) {
   if (dt_s <= 0) return;
-  StateMatrix F = StateMatrix::Identity(), Q = StateMatrix::Zero();
-  F.topLeftCorner<4, 4>() = estimate::constant_velocity_transition(dt_s);
+  StateMatrix Q = StateMatrix::Zero();
   Q.topLeftCorner<4, 4>() = estimate::constant_velocity_noise(dt_s, options.sigma_accel);
   for (Target& target : targets) {
-    StateMatrix own = F;
-    if (may_stand(target, options)) {
-      const double keep = std::exp(-dt_s / kUnsureSpeedDecay_s);
-      own(kVx, kVx) = own(kVy, kVy) = keep;
+    if (options.motion == Motion::kImm) {
+      predict_modes(target, dt_s, options);
+    } else {
+      predict_state(target, dt_s, Q, options);
     }
-    target.state = estimate::predict(target.state, own, Q);
     predict_heading(target, dt_s);
   }
 }
@@ -95,13 +124,11 @@ void update(Target& target, const Detection& detection, int index, Time stamp, d
   const Measurement m = measure(detection, target, options);
   const double speed_before = target.velocity_m_per_s().norm();
   target.nis = estimate::innovation(target.state, m.position, m.H).nis();
-  // The extent is not learned from positions: H turns with a noisy heading, and regression on a
-  // noisy H pulls the extent to zero.
-  target.state = estimate::update_considering(target.state, m.position, m.H, kLength);
-  update_extent(target.state, m);
+  update_state(target, m, options);
   update_heading(target, m);
   if (align_heading_with_course(target, dt_s)) reseat(target, detection, options);
-  update_acceleration(target, speed_before, dt_s);
+  update_acceleration(target, speed_before, dt_s, options);
+  update_moving(target, dt_s, options);
   target.class_weight[static_cast<std::size_t>(detection.object_class)] +=
       std::clamp(detection.score, 0.0, 1.0);
   target.z_m += 0.3 * (detection.z_m - target.z_m);

@@ -34,6 +34,7 @@ struct Track {
   /// x, vx, y, vy (m, m/s): the state order of [Lu2018].
   Gaussian<4> state;
   double speed_m_per_s = 0;
+  double moving_probability = 0.5;  ///< that it moves, and does not only seem to
   double accel_m_per_s2 = 0;
   double yaw_rate_rad_per_s = 0;
   int age_frames = 0;

@@ -1,0 +1,127 @@
+#include "scanfuse/track/motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include "scanfuse/simulate/set_pieces.hpp"
+#include "scanfuse/track/tracker.hpp"
+
+namespace scanfuse::track {
+namespace {
+
+StateVector moving(double vx, double vy) {
+  StateVector x = StateVector::Zero();
+  x(kVx) = vx;
+  x(kVy) = vy;
+  return x;
+}
+
+TEST(StepAlongArc, WithoutTurnAndAccelerationIsConstantVelocity) {
+  const Step step = step_along_arc(moving(8, -3), 0.1, 0, 0);
+  StateMatrix F = StateMatrix::Identity();
+  F(kX, kVx) = F(kY, kVy) = 0.1;
+  EXPECT_EQ(step.F, F);
+  EXPECT_TRUE(step.shift.isZero());
+}
+
+TEST(StepAlongArc, AQuarterOfACircleEndsOnIt) {
+  const double w = 0.5, T = kPi / 2 / w, radius = 10 / w;
+  const StateVector from = moving(10, 0);
+  const Step step = step_along_arc(from, T, w, 0);
+  const StateVector to = step.F * from + step.shift;
+  EXPECT_NEAR(to(kX), radius, 1e-9);
+  EXPECT_NEAR(to(kY), radius, 1e-9);
+  EXPECT_NEAR(to(kVx), 0, 1e-9);
+  EXPECT_NEAR(to(kVy), 10, 1e-9);
+}
+
+TEST(StepAlongArc, TwoHalfStepsAreOneWholeStep) {
+  const StateVector from = moving(6, 2);
+  const auto go = [](const StateVector& x, double dt) {
+    const Step step = step_along_arc(x, dt, 0.3, -1.5);
+    return StateVector(step.F * x + step.shift);
+  };
+  EXPECT_LT((go(go(from, 0.2), 0.2) - go(from, 0.4)).norm(), 1e-12);
+}
+
+TEST(StepAlongArc, BrakingEndsAtRest) {
+  const StateVector from = moving(1, 0);
+  const Step step = step_along_arc(from, 0.5, 0, -10);
+  const StateVector to = step.F * from + step.shift;
+  EXPECT_NEAR(to(kVx), 0, 1e-12);
+}
+
+/// Mean error of the velocity over the last 60 of 100 scans of a car that turns.
+double velocity_error(Motion motion) {
+  simulate::Mover car{{-20, 0}, {8, 0}};
+  constexpr double kTurn = 0.25;
+  car.accel = [](double t) {
+    return Eigen::Vector2d(-8 * kTurn * std::sin(kTurn * t), 8 * kTurn * std::cos(kTurn * t));
+  };
+  TrackerOptions options;
+  options.motion = motion;
+  double error = 0;
+  int count = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    Tracker tracker(options);
+    int frame = 0;
+    simulate::SceneOptions scene;
+    scene.clutter_per_frame = 0;
+    for (const auto& f : simulate::play({car}, scene, seed)) {
+      const auto& tracks = tracker.step(f.stamp, f.detections);
+      if (++frame <= 40 || tracks.empty()) continue;
+      const Eigen::Vector2d v(tracks[0].state.mean(1), tracks[0].state.mean(3));
+      error += (v - Eigen::Vector2d(f.truth[0](1), f.truth[0](3))).norm();
+      ++count;
+    }
+  }
+  return error / count;
+}
+
+TEST(Motion, TurningModelsFollowABendMoreCloselyThanConstantVelocity) {
+  const double cv = velocity_error(Motion::kCv);
+  for (const auto& [name, motion] : choices(Motion{})) {
+    if (motion == Motion::kCv) continue;
+    const double error = velocity_error(motion);
+    RecordProperty(name, std::to_string(error));
+    EXPECT_LT(error, cv) << name << " against " << cv;
+  }
+}
+
+class AnyMotion : public ::testing::TestWithParam<Motion> {};
+
+TEST_P(AnyMotion, TellsAParkedCarFromADrivingOne) {
+  const simulate::Mover parked{{-10, 0}, {0, 0}}, driving{{-20, 15}, {5, 0}};
+  TrackerOptions options;
+  options.motion = GetParam();
+  options.moving_from = 0.5;
+  Tracker tracker(options);
+  simulate::SceneOptions scene;
+  scene.clutter_per_frame = 0;
+  scene.sigma_m = 0.05;
+  const std::vector<Track>* tracks = nullptr;
+  for (const auto& f : simulate::play({parked, driving}, scene, 3)) {
+    tracks = &tracker.step(f.stamp, f.detections);
+  }
+  int parked_ones = 0, driving_ones = 0;
+  for (const Track& t : *tracks) {
+    if (t.status != TrackStatus::kConfirmed) continue;
+    if (t.box.centre_m.y() < 5) {
+      EXPECT_LT(t.moving_probability, 0.5);
+      EXPECT_EQ(t.speed_m_per_s, 0);
+      ++parked_ones;
+    } else {
+      EXPECT_GT(t.moving_probability, 0.9);
+      EXPECT_NEAR(t.speed_m_per_s, 5, 0.5);
+      ++driving_ones;
+    }
+  }
+  EXPECT_EQ(parked_ones, 1);
+  EXPECT_EQ(driving_ones, 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Motions, AnyMotion,
+                         ::testing::Values(Motion::kCv, Motion::kCtrv, Motion::kCtra,
+                                           Motion::kImm));
+
+}  // namespace
+}  // namespace scanfuse::track
