@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <tuple>
 #include <utility>
 
@@ -8,6 +9,8 @@
 #include "scanfuse/core/options.hpp"
 
 namespace scanfuse::track {
+
+struct BeliefModel;
 
 /// What of a Detection is the measurement.
 enum class MeasuredAs { kBox, kCentre, kVisibleMiddle };
@@ -56,6 +59,9 @@ struct TrackerOptions {
   int coast_frames = 0;
   double max_gap_s = 2;
   bool births_inside_tracks = false;
+  /// Filters class probabilities over time; without it the class is that of the largest sum of
+  /// scores. The pipeline puts it in where the recogniser tells probabilities.
+  std::shared_ptr<const BeliefModel> belief;
 
   static constexpr auto fields() {
     using O = TrackerOptions;

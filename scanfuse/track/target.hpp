@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "scanfuse/core/time.hpp"
+#include "scanfuse/track/class_belief.hpp"
 #include "scanfuse/types/gaussian.hpp"
 #include "scanfuse/types/object_class.hpp"
 #include "scanfuse/types/track.hpp"
@@ -29,6 +30,8 @@ struct Target {
   double z_m = 0;
   double height_m = 0;
   std::array<double, 5> class_weight{};  ///< sum of scores, by ObjectClass
+  ClassBelief belief;                    ///< where detections tell class probabilities
+  ClassProbabilities class_probability{};  ///< what came of it; all zero: class_weight decides
   Time born;
   Time seen;
   int age_frames = 0;
@@ -49,6 +52,13 @@ struct Target {
 
 /// The class with the largest weight, the lowest of equals.
 [[nodiscard]] ObjectClass class_of(const Target& target);
+
+/// Whether it is believed to be no road user: such targets are not confirmed, nor reported so.
+[[nodiscard]] bool is_clutter(const Target& target);
+
+/// Folds in what a detection says of the class, after the motion; without a model nothing.
+void believe(Target& target, const ClassProbabilities& detected, Time stamp,
+             const BeliefModel* model);
 
 /// The target as a value to report.
 [[nodiscard]] Track to_track(const Target& target);
