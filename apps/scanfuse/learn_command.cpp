@@ -31,7 +31,23 @@ nlohmann::json as_json(const LearnOutcome& outcome) {
       {"clutter_per_scan", or_null(outcome.tracks.clutter_per_scan())},
       {"expected_calibration_error",
        or_null(outcome.tracks.reliability().expected_calibration_error())}};
+  for (std::size_t truth = 0; truth < kObjectClasses; ++truth) {
+    for (std::size_t said = 0; said < kObjectClasses; ++said) {
+      tracks["confusion"][std::string(to_string(static_cast<ObjectClass>(truth)))]
+            [std::string(to_string(static_cast<ObjectClass>(said)))] =
+                outcome.tracks.confusion()[truth][said];
+    }
+  }
+  const auto& reliability = outcome.tracks.reliability();
+  tracks["reliability"] = {{"said", reliability.said}, {"right", reliability.right},
+                           {"count", reliability.count}};
   for (const ObjectClass kind : kUsers) {
+    const auto& counts = outcome.tracks.counts(kind);
+    auto& by_range = tracks[std::string(to_string(kind))]["by_range"];
+    by_range = {{"bin_m", evaluate::ClassScore::kBin_m}, {"objects", counts.objects},
+                {"found", counts.found},           {"untracked", counts.untracked},
+                {"tentative", counts.tentative},   {"misnamed", counts.misnamed},
+                {"said", counts.said},             {"right", counts.right}};
     for (const double range : kRanges_m) {
       tracks[std::string(to_string(kind))][fmt::format("{:.0f}_m", range)] = {
           {"precision", or_null(outcome.tracks.precision(kind, range))},

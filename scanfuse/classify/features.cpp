@@ -23,11 +23,33 @@ const std::array<std::string_view, kFeatures>& feature_names() {
       "log_points",   "log_range",    "log_beam_gap", "log_fill",   "log_length",
       "log_width",    "height",       "log_support",  "log_residual", "roundness",
       "log_range_spread", "coverage", "line_count",   "inlier_share", "hidden_ends",
-      "free_ends",    "vehicle_score"};
+      "free_ends",    "vehicle_score", "log_alone"};
   return kNames;
 }
 
-Features features_of(const Outline& outline, double vehicle_score, double scale) {
+double alone_m(std::span<const Outline> outlines, std::size_t of, double limit_m) {
+  constexpr std::size_t kAround = 64;
+  const Eigen::Vector2d& place = outlines[of].box.centre_m;
+  const std::size_t first = of > kAround ? of - kAround : 0;
+  const std::size_t last = std::min(outlines.size(), of + kAround + 1);
+  double nearest = limit_m;
+  for (std::size_t i = first; i < last; ++i) {
+    const Outline& other = outlines[i];
+    if (i == of || other.points == 0) continue;
+    const double reach = nearest + (other.box.length_m + other.box.width_m) / 2;
+    if ((other.box.centre_m - place).squaredNorm() > reach * reach) continue;
+    const Eigen::Vector2d local = other.box.pose().inverse() * place;
+    const double x = std::max(std::abs(local.x()) - other.box.length_m / 2, 0.0);
+    const double y = std::max(std::abs(local.y()) - other.box.width_m / 2, 0.0);
+    nearest = std::min(nearest, std::hypot(x, y));
+  }
+  return nearest;
+}
+
+Features features_of(std::span<const Outline> outlines, std::size_t of, double vehicle_score,
+                     double scale) {
+  constexpr double kFarAway_m = 4;
+  const Outline& outline = outlines[of];
   const double metre = 1 / scale;
   const double gap = std::max(outline.beam_gap_m * metre, 0.005);
   const double expected = std::max(breadth_m(outline.box) * metre / gap, 1.0);
@@ -52,6 +74,7 @@ Features features_of(const Outline& outline, double vehicle_score, double scale)
                    static_cast<double>(outline.right_end_occluded);
   x[kFreeEnds] = outline.faces_seen == 2 && !cut ? 1 : 0;
   x[kVehicleScore] = vehicle_score;
+  x[kLogAlone] = std::log(alone_m(outlines, of, kFarAway_m * scale) * metre + 0.1);
   return x;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string_view>
 
 #include "scanfuse/types/outline.hpp"
@@ -27,6 +28,7 @@ enum Feature : int {
   kHiddenEnds,     ///< 0, 1, 2: ends that something nearer hides, or the edge of the view
   kFreeEnds,       ///< 1: both ends were seen of each of two faces
   kVehicleScore,   ///< of the rules in vehicle_rules.hpp
+  kLogAlone,       ///< ln(distance to the next outline, at most 4 m, + 0.1 m): foliage comes in pieces
   kFeatures
 };
 
@@ -35,8 +37,13 @@ using Features = std::array<double, kFeatures>;
 /// Names for files, in the order of Feature.
 [[nodiscard]] const std::array<std::string_view, kFeatures>& feature_names();
 
-/// The outline's features; `vehicle_score` is that of `classify::vehicle_score`, `scale` the size of
-/// the scene against a real road.
-[[nodiscard]] Features features_of(const Outline& outline, double vehicle_score, double scale = 1);
+/// How far from the middle of outline `of` the box of the next one is, at most `limit_m`. Of many
+/// outlines only the 64 before and behind it, in order, are looked at.
+[[nodiscard]] double alone_m(std::span<const Outline> outlines, std::size_t of, double limit_m);
+
+/// Features of outline `of`; `vehicle_score` is that of `classify::vehicle_score`, `scale` the size
+/// of the scene against a real road.
+[[nodiscard]] Features features_of(std::span<const Outline> outlines, std::size_t of,
+                                   double vehicle_score, double scale = 1);
 
 }  // namespace scanfuse::classify

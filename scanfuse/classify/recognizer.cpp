@@ -54,7 +54,7 @@ std::span<const Detection> Recognizer::operator()(std::span<const Outline> outli
   sources_.clear();
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     if (options_.method == Method::kSoftmax) {
-      add_by_softmax(outlines[i]);
+      add_by_softmax(outlines, i);
     } else if (options_.method == Method::kGuoIntervals) {
       add_by_intervals(outlines[i]);
     } else {
@@ -88,10 +88,11 @@ void Recognizer::add_as(const Outline& outline, ObjectClass kind, double score) 
   detections_.back().score = score;
 }
 
-void Recognizer::add_by_softmax(const Outline& outline) {
+void Recognizer::add_by_softmax(std::span<const Outline> outlines, std::size_t of) {
+  const Outline& outline = outlines[of];
   if (outline.points < options_.min_points) return;
   const double by_rules = vehicle_score(outline, options_);
-  const auto p = options_.model->softmax(features_of(outline, by_rules, scale_));
+  const auto p = options_.model->softmax(features_of(outlines, of, by_rules, scale_));
   const bool expected = is_expected_vehicle(outline, options_);
   const double other = p[static_cast<std::size_t>(ObjectClass::kOther)];
   if (!expected && other > options_.max_other_probability) return;

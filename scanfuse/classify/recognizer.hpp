@@ -24,7 +24,7 @@ class Recognizer {
 
  private:
   void add(const Outline& outline);
-  void add_by_softmax(const Outline& outline);
+  void add_by_softmax(std::span<const Outline> outlines, std::size_t of);
   void add_by_intervals(const Outline& outline);
   void add_as(const Outline& outline, ObjectClass kind, double score);
 

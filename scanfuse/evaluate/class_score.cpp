@@ -149,8 +149,13 @@ void ClassScore::count_objects(const StepResult& step, const TruthFrame& truth,
     Counts& of = counts_[index_of(object.object_class)];
     ++of.objects[bin];
     const int t = track_of_object[o];
-    if (t >= 0 && step.tracks[t].status != TrackStatus::kTentative &&
-        step.tracks[t].object_class == object.object_class) {
+    if (t < 0) {
+      ++of.untracked[bin];
+    } else if (step.tracks[t].object_class != object.object_class) {
+      ++of.misnamed[bin];
+    } else if (step.tracks[t].status == TrackStatus::kTentative) {
+      ++of.tentative[bin];
+    } else {
       ++of.found[bin];
     }
   }
@@ -185,6 +190,9 @@ void ClassScore::merge(const ClassScore& other) {
     for (int i = 0; i < kRangeBins; ++i) {
       counts_[c].objects[i] += other.counts_[c].objects[i];
       counts_[c].found[i] += other.counts_[c].found[i];
+      counts_[c].untracked[i] += other.counts_[c].untracked[i];
+      counts_[c].tentative[i] += other.counts_[c].tentative[i];
+      counts_[c].misnamed[i] += other.counts_[c].misnamed[i];
       counts_[c].said[i] += other.counts_[c].said[i];
       counts_[c].right[i] += other.counts_[c].right[i];
     }

@@ -44,6 +44,8 @@ class ClassScore {
 
   struct Counts {
     std::array<std::int64_t, kRangeBins> objects{}, found{}, said{}, right{};
+    /// Why objects were not found: no track at all, one that is tentative, one of another class.
+    std::array<std::int64_t, kRangeBins> untracked{}, tentative{}, misnamed{};
   };
 
   /// Scans of one recording in order; a new one begins with `start_recording`.

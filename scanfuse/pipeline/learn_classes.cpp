@@ -140,11 +140,12 @@ std::array<double, classify::kLearnedClasses> prior_of(const auto& samples) {
   return prior;
 }
 
-OutlineSample sample_of(const Outline& outline, int label, float share,
+OutlineSample sample_of(std::span<const Outline> outlines, std::size_t of, int label, float share,
                         const std::shared_ptr<const Classes>& classes) {
+  const Outline& outline = outlines[of];
+  const double by_rules = classify::vehicle_score(outline, classify::RecognizerOptions{});
   OutlineSample sample;
-  sample.features =
-      classify::features_of(outline, classify::vehicle_score(outline, classify::RecognizerOptions{}));
+  sample.features = classify::features_of(outlines, of, by_rules);
   sample.label = label;
   sample.share = share;
   sample.lines = static_cast<int>(outline.lines.size());
@@ -183,6 +184,7 @@ PerceptionOptions learning_chain(const std::shared_ptr<const Classes>& classes) 
   if (!classes) return options;
   options.classify.method = classify::Method::kSoftmax;
   use_classes(options, classes);
+  if (classes->belief.weights.isZero()) options.track.belief = nullptr;
   return options;
 }
 
@@ -199,7 +201,7 @@ void SampleCollector::add(const PosedScan& posed, const TruthFrame& truth, bool 
   for (std::size_t k = 0; keep && k < labels.size(); ++k) {
     const Outline& outline = perception_.outlines()[k];
     if (!labels[k] || outline.points < least) continue;
-    outlines.push_back(sample_of(outline, *labels[k], share, classes_));
+    outlines.push_back(sample_of(perception_.outlines(), k, *labels[k], share, classes_));
   }
   if (classes_) take_tracks(labels, share, keep);
 }

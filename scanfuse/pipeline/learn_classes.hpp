@@ -36,7 +36,8 @@ struct TrackSample {
   float share = 1;
 };
 
-/// The chain that samples are drawn with: of `road-users`, by rules where `classes` is null.
+/// The chain that samples are drawn with: of `road-users`, by rules where `classes` is null, with
+/// tracks that sum scores where the belief is not learned yet (all weights zero).
 [[nodiscard]] PerceptionOptions learning_chain(const std::shared_ptr<const Classes>& classes);
 
 /// Draws samples from one recording, scan after scan.

@@ -122,7 +122,9 @@ void reseat(Target& target, const Detection& detection, const TrackerOptions& op
 }
 
 void promote(Target& target, const TrackerOptions& options) {
-  if (target.status != TrackStatus::kTentative || is_clutter(target)) return;
+  if (target.status != TrackStatus::kTentative) return;
+  const double other = target.class_probability[static_cast<std::size_t>(ObjectClass::kOther)];
+  if (other > options.confirm_other_probability) return;
   const int window = std::max(options.confirm_window, options.confirm_hits);
   if (hits_within(target.history, window) >= options.confirm_hits) {
     target.status = TrackStatus::kConfirmed;
