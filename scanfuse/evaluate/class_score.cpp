@@ -173,8 +173,12 @@ void ClassScore::count_tracks(const StepResult& step, const TruthFrame& truth,
     const bool confirmed = track.status != TrackStatus::kTentative;
     const int o = object_of_track[t];
     const ObjectClass kind = o < 0 ? ObjectClass::kOther : truth.objects[o].object_class;
-    if (confirmed && o < 0 && is_road_user(track.object_class)) ++clutter_;
-    if (to_seconds(step.stamp - born) < kWatch_s) continue;
+    const bool old = to_seconds(step.stamp - born) >= kWatch_s;
+    if (confirmed && o < 0 && is_road_user(track.object_class)) {
+      ++clutter_;
+      old_clutter_ += old ? 1 : 0;
+    }
+    if (!old) continue;
     const bool right = kind == track.object_class;
     ++confusion_[index_of(kind)][index_of(track.object_class)];
     reliability_.add(track.class_probability, right);
@@ -201,6 +205,7 @@ void ClassScore::merge(const ClassScore& other) {
   reliability_.merge(other.reliability_);
   scans_ += other.scans_;
   clutter_ += other.clutter_;
+  old_clutter_ += other.old_clutter_;
 }
 
 std::optional<double> ClassScore::precision(ObjectClass kind, double range_m) const {
@@ -214,6 +219,11 @@ std::optional<double> ClassScore::recall(ObjectClass kind, double range_m) const
 std::optional<double> ClassScore::clutter_per_scan() const {
   if (scans_ == 0) return std::nullopt;
   return static_cast<double>(clutter_) / static_cast<double>(scans_);
+}
+
+std::optional<double> ClassScore::old_clutter_per_scan() const {
+  if (scans_ == 0) return std::nullopt;
+  return static_cast<double>(old_clutter_) / static_cast<double>(scans_);
 }
 
 }  // namespace scanfuse::evaluate

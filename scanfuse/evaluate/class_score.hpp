@@ -57,6 +57,8 @@ class ClassScore {
   [[nodiscard]] std::optional<double> precision(ObjectClass kind, double range_m) const;
   [[nodiscard]] std::optional<double> recall(ObjectClass kind, double range_m) const;
   [[nodiscard]] std::optional<double> clutter_per_scan() const;
+  /// The same of tracks a second old or older.
+  [[nodiscard]] std::optional<double> old_clutter_per_scan() const;
   [[nodiscard]] const Counts& counts(ObjectClass kind) const {
     return counts_[static_cast<std::size_t>(kind)];
   }
@@ -83,6 +85,7 @@ class ClassScore {
   Reliability reliability_;
   std::int64_t scans_ = 0;
   std::int64_t clutter_ = 0;
+  std::int64_t old_clutter_ = 0;
   std::map<std::int64_t, Watch> objects_;
   std::map<std::int64_t, Time> born_;
 };
