@@ -33,6 +33,14 @@ bool is_expected_vehicle(const Outline& outline, const RecognizerOptions& option
          outline.box.width_m <= options.max_width_m + options.size_slack_m;
 }
 
+/// Scenes differ from those learned from: where the rules see a vehicle, one in ten is theirs to say.
+ClassProbabilities heed_rules(ClassProbabilities p) {
+  constexpr double kRules = 0.1;
+  for (double& value : p) value *= 1 - kRules;
+  p[static_cast<std::size_t>(ObjectClass::kVehicle)] += kRules;
+  return p;
+}
+
 /// The likeliest road user of the three.
 ObjectClass likeliest_user(const ClassProbabilities& p) {
   const auto first = p.begin() + static_cast<int>(ObjectClass::kVehicle);
@@ -92,8 +100,9 @@ void Recognizer::add_by_softmax(std::span<const Outline> outlines, std::size_t o
   const Outline& outline = outlines[of];
   if (outline.points < options_.min_points) return;
   const double by_rules = vehicle_score(outline, options_);
-  const auto p = options_.model->softmax(features_of(outlines, of, by_rules, scale_));
+  auto p = options_.model->softmax(features_of(outlines, of, by_rules, scale_));
   const bool expected = is_expected_vehicle(outline, options_);
+  if (expected || by_rules >= options_.min_score) p = heed_rules(p);
   const double other = p[static_cast<std::size_t>(ObjectClass::kOther)];
   if (!expected && other > options_.max_other_probability) return;
   const ObjectClass kind = expected ? ObjectClass::kVehicle : likeliest_user(p);

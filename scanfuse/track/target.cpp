@@ -40,6 +40,13 @@ ObjectClass class_of(const Target& target) {
   return static_cast<ObjectClass>(best - target.class_weight.begin());
 }
 
+ObjectClass user_class_of(const Target& target) {
+  if (!tells_classes(target.class_probability)) return class_of(target);
+  const auto& p = target.class_probability;
+  const auto other = p.begin() + static_cast<std::ptrdiff_t>(ObjectClass::kOther);
+  return static_cast<ObjectClass>(std::max_element(p.begin(), other) - p.begin());
+}
+
 Track to_track(const Target& target) {
   Track track;
   track.id = target.id;

@@ -53,6 +53,9 @@ struct Target {
 /// The class with the largest weight, the lowest of equals.
 [[nodiscard]] ObjectClass class_of(const Target& target);
 
+/// The same among road users: what it is if it is not clutter. Decides what it may be paired with.
+[[nodiscard]] ObjectClass user_class_of(const Target& target);
+
 /// Whether it is believed to be no road user: such targets are not confirmed, nor reported so.
 [[nodiscard]] bool is_clutter(const Target& target);
 

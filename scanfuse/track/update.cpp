@@ -36,7 +36,7 @@ std::optional<double> gated_cost(const Target& target, const Detection& detectio
   if (options.distance == Distance::kEuclidean) return std::sqrt(squared_distance);
   const double nis = nu.nis();
   if (!(nis < gate)) return std::nullopt;
-  const bool same_class = are_alike(class_of(target), detection);
+  const bool same_class = are_alike(user_class_of(target), detection);
   return nis + nu.log_det() + (same_class ? 0.0 : options.class_mismatch_cost);
 }
 
