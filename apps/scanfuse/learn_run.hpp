@@ -26,7 +26,7 @@ struct LearnOutcome {
   pipeline::Classes classes;
   std::int64_t fit_outlines = 0, calibration_outlines = 0, test_outlines = 0;
   std::int64_t calibration_tracks = 0;
-  bool cut_by_time = false;  ///< too few recordings to set whole ones apart
+  bool cut_by_time = false;        ///< too few recordings to set whole ones apart
   evaluate::Reliability outlines;  ///< of the softmax on the test's outlines
   DetectionConfusion softmax{}, intervals{};
   evaluate::ClassScore tracks;  ///< by the whole chain on the test's scans

@@ -88,9 +88,9 @@ std::optional<ObjectClass> class_by_intervals(const Outline& outline, const Inte
   for (std::size_t c = 0; c < intervals.size(); ++c) {
     const ClassIntervals& of = intervals[c];
     const bool one = outline.lines.size() == 1;
-    const std::array<double, 3> apart{normalised(l1, one ? of.l : of.l1),
-                                      one ? 0.0 : normalised(l2, of.l2),
-                                      normalised(variance, one ? of.var_r_of_one : of.var_r_of_two)};
+    const std::array<double, 3> apart{
+        normalised(l1, one ? of.l : of.l1), one ? 0.0 : normalised(l2, of.l2),
+        normalised(variance, one ? of.var_r_of_one : of.var_r_of_two)};
     if (*std::max_element(apart.begin(), apart.end()) > 1) continue;
     const double distance = std::hypot(apart[0], apart[1], apart[2]);
     if (distance >= nearest) continue;

@@ -31,8 +31,8 @@ inline constexpr int kTerms = 1 + kFeatures + kFeatures * (kFeatures + 1) / 2 + 
 using Terms = Eigen::Matrix<double, kTerms, 1>;
 
 /// Softmax regression: p(class) ~ exp(w_class' terms(x) / temperature), features standardised to
-/// (x - mean) / scale and cut at +-4 first. Weights, and the temperature that makes it say how often
-/// it is right, come from `scanfuse learn classes`.
+/// (x - mean) / scale and cut at +-4 first. Weights, and the temperature that makes it say how
+/// often it is right, come from `scanfuse learn classes`.
 struct SoftmaxModel {
   Features mean{};
   Features scale{};

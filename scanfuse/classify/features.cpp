@@ -20,10 +20,9 @@ double log_within(double value, double low, double high) {
 
 const std::array<std::string_view, kFeatures>& feature_names() {
   static constexpr std::array<std::string_view, kFeatures> kNames{
-      "log_points",   "log_range",    "log_beam_gap", "log_fill",   "log_length",
-      "log_width",    "height",       "log_support",  "log_residual", "roundness",
-      "log_range_spread", "coverage", "line_count",   "inlier_share", "hidden_ends",
-      "free_ends",    "vehicle_score", "log_alone"};
+      "log_points", "log_range",    "log_beam_gap", "log_fill",  "log_length",       "log_width",
+      "height",     "log_support",  "log_residual", "roundness", "log_range_spread", "coverage",
+      "line_count", "inlier_share", "hidden_ends",  "free_ends", "vehicle_score",    "log_alone"};
   return kNames;
 }
 
@@ -65,8 +64,8 @@ Features features_of(std::span<const Outline> outlines, std::size_t of, double v
   x[kLogSupport] = log_within(outline.mean_support, 1, 64);
   x[kLogResidual] = log_within(outline.residual_m * metre + 0.01, 0.01, 1);
   x[kRoundness] = std::clamp(outline.roundness, 0.0, 1.0);
-  x[kLogRangeSpread] = log_within(std::sqrt(std::max(outline.var_range_m2, 0.0)) * metre + 0.02,
-                                  0.02, 4);
+  x[kLogRangeSpread] =
+      log_within(std::sqrt(std::max(outline.var_range_m2, 0.0)) * metre + 0.02, 0.02, 4);
   x[kCoverage] = std::clamp(outline.coverage, 0.0, 1.0);
   x[kLineCount] = static_cast<double>(std::min<std::size_t>(outline.lines.size(), 4));
   x[kInlierShare] = std::clamp(outline.inlier_share, 0.0, 1.0);

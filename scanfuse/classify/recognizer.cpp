@@ -33,7 +33,8 @@ bool is_expected_vehicle(const Outline& outline, const RecognizerOptions& option
          outline.box.width_m <= options.max_width_m + options.size_slack_m;
 }
 
-/// Scenes differ from those learned from: where the rules see a vehicle, one in ten is theirs to say.
+/// Scenes differ from those learned from: where the rules see a vehicle, one in ten is theirs to
+/// say.
 ClassProbabilities heed_rules(ClassProbabilities p) {
   constexpr double kRules = 0.1;
   for (double& value : p) value *= 1 - kRules;

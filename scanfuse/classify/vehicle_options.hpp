@@ -61,9 +61,12 @@ struct RecognizerOptions {
   static constexpr auto fields() {
     using O = RecognizerOptions;
     return std::tuple{
-        Field{"method", &O::method, "scored rules for vehicles, the plain ones of [Lu2018], or learned: softmax, or the "
+        Field{"method", &O::method,
+              "scored rules for vehicles, the plain ones of [Lu2018], or learned: softmax, or the "
               "intervals of [Guo]"},
-        Field{"keep", &O::keep, "vehicles only, or smaller objects too (unknown, where the method only knows vehicles)"},
+        Field{"keep", &O::keep,
+              "vehicles only, or smaller objects too (unknown, where the method only knows "
+              "vehicles)"},
         Field{"scale", &O::scale, 0.001, 100.0,
               "size of the vehicles against real ones: 0.1 for models of 1:10; multiplies lengths"},
         Field{"min_score", &O::min_score, 0.0, 1.0, "less likely vehicles are dropped"},

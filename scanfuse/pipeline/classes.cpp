@@ -137,11 +137,9 @@ std::string write_classes(const Classes& classes) {
   std::string section;
   for (const Slot& slot : slots_of(copy)) {
     if (slot.section != section) text += fmt::format("\n[{}]\n", section = slot.section);
-    text += fmt::format("{} = {:.5g}{}\n", slot.key, *slot.value,
-                        fmt::format("{:.5g}", *slot.value).find_first_of(".e") ==
-                                std::string::npos
-                            ? ".0"
-                            : "");
+    text += fmt::format(
+        "{} = {:.5g}{}\n", slot.key, *slot.value,
+        fmt::format("{:.5g}", *slot.value).find_first_of(".e") == std::string::npos ? ".0" : "");
   }
   return text;
 }

@@ -35,10 +35,9 @@ struct TrueBox {
 std::vector<TrueBox> boxes_of(const PosedScan& posed, const TruthFrame& truth) {
   const Eigen::Vector3d mount = posed.ego_from_sensor.translation_m;
   const Pose2 ego_from_level{mount.x(), mount.y(), 0};
-  const Pose2 level_from_truth =
-      truth.coordinate_frame == "ego"
-          ? ego_from_level.inverse()
-          : (posed.world_from_ego.planar() * ego_from_level).inverse();
+  const Pose2 level_from_truth = truth.coordinate_frame == "ego"
+                                     ? ego_from_level.inverse()
+                                     : (posed.world_from_ego.planar() * ego_from_level).inverse();
   const Eigen::Rotation2Dd turn(level_from_truth.heading_rad);
   std::vector<TrueBox> boxes;
   for (const TruthObject& object : truth.objects) {
@@ -164,15 +163,14 @@ OutlineSample sample_of(std::span<const Outline> outlines, std::size_t of, int l
 
 }  // namespace
 
-std::vector<std::optional<int>> label_outlines(const Perception& perception,
-                                               const PosedScan& posed, const TruthFrame& truth) {
+std::vector<std::optional<int>> label_outlines(const Perception& perception, const PosedScan& posed,
+                                               const TruthFrame& truth) {
   const auto boxes = boxes_of(posed, truth);
   const Clusters& clusters = perception.clusters();
   std::vector<std::optional<int>> labels;
   for (std::size_t k = 0; k < clusters.size(); ++k) {
-    labels.push_back(clusters[k].empty()
-                         ? std::nullopt
-                         : label_of(perception.virtual_scan(), clusters[k], boxes));
+    labels.push_back(clusters[k].empty() ? std::nullopt
+                                         : label_of(perception.virtual_scan(), clusters[k], boxes));
   }
   return labels;
 }

@@ -124,16 +124,16 @@ void reseat(Target& target, const Detection& detection, const TrackerOptions& op
 }
 
 void promote(Target& target, const TrackerOptions& options) {
-  if (target.status != TrackStatus::kTentative) return;
+  const int window = std::max(options.confirm_window, options.confirm_hits);
+  if (target.status == TrackStatus::kTentative &&
+      hits_within(target.history, window) >= options.confirm_hits) {
+    target.status = TrackStatus::kConfirmed;
+  }
   const double other = target.class_probability[static_cast<std::size_t>(ObjectClass::kOther)];
   const double life_s = to_seconds(target.seen - target.born);
   const bool is_small = class_of(target) != ObjectClass::kVehicle;
   const double trust = is_small ? std::min(life_s / kFullTrust_s, 1.0) : 1.0;
-  if (other > options.confirm_other_probability * trust) return;
-  const int window = std::max(options.confirm_window, options.confirm_hits);
-  if (hits_within(target.history, window) >= options.confirm_hits) {
-    target.status = TrackStatus::kConfirmed;
-  }
+  if (other <= options.confirm_other_probability * trust) target.is_trusted = true;
 }
 
 bool is_part_of(const Detection& detection, std::span<const Target> targets) {

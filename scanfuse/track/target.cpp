@@ -62,7 +62,7 @@ Track to_track(const Target& target) {
   if (target.status == TrackStatus::kConfirmed && target.missed_frames > 0) {
     track.status = TrackStatus::kCoasting;
   }
-  if (is_clutter(target)) track.status = TrackStatus::kTentative;
+  if (!target.is_trusted || is_clutter(target)) track.status = TrackStatus::kTentative;
   track.box = target.box();
   track.z_m = target.z_m;
   track.height_m = target.height_m;

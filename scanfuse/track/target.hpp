@@ -29,9 +29,10 @@ struct Target {
   double accel_m_per_s2 = 0;  ///< along the motion, smoothed
   double z_m = 0;
   double height_m = 0;
-  std::array<double, 5> class_weight{};  ///< sum of scores, by ObjectClass
-  ClassBelief belief;                    ///< where detections tell class probabilities
+  std::array<double, 5> class_weight{};    ///< sum of scores, by ObjectClass
+  ClassBelief belief;                      ///< where detections tell class probabilities
   ClassProbabilities class_probability{};  ///< what came of it; all zero: class_weight decides
+  bool is_trusted = false;  ///< has ever been surely no clutter: else reported as tentative
   Time born;
   Time seen;
   int age_frames = 0;

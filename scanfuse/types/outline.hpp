@@ -47,7 +47,7 @@ struct Outline {
   double mean_support = 1;   ///< layers that agree, mean over the points: tells of height
   double var_length_m2 = 0;  ///< of the box's extent between two free ends
   double var_width_m2 = 0;
-  std::uint32_t cluster = 0;  ///< which cluster of the scan
+  std::uint32_t cluster = 0;   ///< which cluster of the scan
   std::int32_t expected = -1;  ///< which object that a track expects lies here; -1: none
 };
 
