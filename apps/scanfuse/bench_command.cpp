@@ -43,6 +43,10 @@ const std::vector<Benchmark>& benchmarks() {
          return bench_track(seeds_of(request, {101, 20}), request.preset, request.changes,
                             request.threads);
        }},
+      {"detect", "cars, pedestrians, cyclists and clutter told apart, to 50 m, against truth",
+       [](const BenchRequest& request) {
+         return bench_detect(seeds_of(request, {1001, 40}), request.changes, request.threads);
+       }},
       {"speed",
        "time of one 4 x 440 scan through the chain and its stages; clustering to 1 M points",
        [](const BenchRequest& request) {
@@ -123,7 +127,7 @@ void add_bench(Tool& tool) {
   app->add_option("--preset", request->preset, "Options to start from (track, speed)")
       ->capture_default_str();
   app->add_option("--set", request->changes,
-                  "Change an option: section.option=value (track, speed)")
+                  "Change an option: section.option=value (track, detect, speed)")
       ->allow_extra_args(false);
   app->add_flag("--json", request->json, "One JSON object on stdout");
   app->footer(

@@ -49,6 +49,13 @@ struct SeedRange {
                                                         const std::vector<std::string>& changes,
                                                         int threads);
 
+/// How well road users are told apart in the scenario road-users, by tracks of the preset of that
+/// name with changes, and by the intervals of [Guo] in its place. What is counted stands at
+/// evaluate::ClassScore. Seeds 1 to 999 are for learning.
+[[nodiscard]] Result<std::vector<BenchRow>> bench_detect(const SeedRange& seeds,
+                                                         const std::vector<std::string>& changes,
+                                                         int threads);
+
 /// How long one scan of four layers, or one, and 440 columns takes on one core, the whole chain and
 /// each of its stages (thread CPU time, which other processes do not lengthen; wall time beside
 /// it), and how the time of clustering grows with the number of points, 1 k to 1 M.

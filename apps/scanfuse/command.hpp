@@ -39,6 +39,7 @@ void add_simulate(Tool& tool);
 void add_evaluate(Tool& tool);
 void add_bench(Tool& tool);
 void add_config(Tool& tool);
+void add_learn(Tool& tool);
 
 /// Prints "scanfuse: error: ..." on stderr and returns kBadInput.
 int report_error(const Error& error);

@@ -73,6 +73,7 @@ int run(int argc, char** argv) {
   add_evaluate(tool);
   add_bench(tool);
   add_config(tool);
+  add_learn(tool);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <memory>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -8,10 +10,12 @@
 
 namespace scanfuse::classify {
 
-enum class Method { kScore, kLu2018 };
+enum class Method { kScore, kLu2018, kSoftmax, kGuoIntervals };
 
 constexpr auto choices(Method) {
-  return std::array{std::pair{"score", Method::kScore}, std::pair{"lu2018", Method::kLu2018}};
+  using enum Method;
+  return std::array{std::pair{"score", kScore}, std::pair{"lu2018", kLu2018},
+                    std::pair{"softmax", kSoftmax}, std::pair{"guo_intervals", kGuoIntervals}};
 }
 
 /// Which clusters become detections.
@@ -21,6 +25,8 @@ constexpr auto choices(Keep) {
   return std::array{std::pair{"vehicles", Keep::kVehicles},
                     std::pair{"road_users", Keep::kRoadUsers}};
 }
+
+struct ClassModel;
 
 /// What a vehicle is taken to look like. Defaults: passenger cars and vans.
 struct RecognizerOptions {
@@ -45,12 +51,21 @@ struct RecognizerOptions {
   double min_coverage = 0.85;
   double right_angle_tolerance_rad = 0.35;
   double min_user_m = 0.15;
+  double max_other_probability = 0.99;
+  std::string classes_file;
+  /// What softmax and guo_intervals have learned; without it these two take the rules of `score`.
+  /// The pipeline puts in what comes with the library, or what `classes_file` holds.
+  std::shared_ptr<const ClassModel> model;
 
   static constexpr auto fields() {
     using O = RecognizerOptions;
     return std::tuple{
-        Field{"method", &O::method, "scored rules, or the plain ones of [Lu2018]"},
-        Field{"keep", &O::keep, "vehicles only, or smaller objects too, as unknown"},
+        Field{"method", &O::method,
+              "scored rules for vehicles, the plain ones of [Lu2018], or learned: softmax, or the "
+              "intervals of [Guo]"},
+        Field{"keep", &O::keep,
+              "vehicles only, or smaller objects too (unknown, where the method only knows "
+              "vehicles)"},
         Field{"min_score", &O::min_score, 0.0, 1.0, "less likely vehicles are dropped"},
         Field{"min_points", &O::min_points, 1, 1000, "clusters with fewer are dropped"},
         Field{"min_width_m", &O::min_width_m, 0.0, 100.0, "narrowest rear or front"},
@@ -77,6 +92,10 @@ struct RecognizerOptions {
         Field{"right_angle_tolerance_rad", &O::right_angle_tolerance_rad, 0.0, 1.5,
               "between the two lines of a corner, for lu2018"},
         Field{"min_user_m", &O::min_user_m, 0.0, 100.0, "smaller objects are no road users"},
+        Field{"max_other_probability", &O::max_other_probability, 0.0, 1.0,
+              "what is more surely no road user is dropped (softmax)"},
+        Field{"classes_file", &O::classes_file,
+              "what `scanfuse learn classes` wrote; empty: what comes with scanfuse"},
     };
   }
 };

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "scanfuse/pipeline/classes.hpp"
+
 namespace scanfuse::pipeline {
 
 std::vector<OptionView> view_config(const PerceptionOptions& options) {
@@ -29,6 +31,9 @@ Result<void> set_config(PerceptionOptions& options, std::string_view section, st
                 nearest_name(section, sections));
   }
   if (!outcome) return fail(outcome.error().code, "{}.{}", section, outcome.error().message);
+  if (section == "classify" && (name == "method" || name == "classes_file")) {
+    return load_classes(options);
+  }
   return {};
 }
 
@@ -73,6 +78,8 @@ PerceptionOptions model_chain() {
 PerceptionOptions road_users_chain() {
   PerceptionOptions options;
   options.classify.keep = classify::Keep::kRoadUsers;
+  options.classify.method = classify::Method::kSoftmax;
+  use_classes(options, default_classes());
   options.track.class_mismatch_cost = 100;
   return options;
 }

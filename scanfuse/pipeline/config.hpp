@@ -44,7 +44,7 @@ void for_each_section(Options& options, Visit&& visit) {
 /// - `vehicle-pag`: vehicles by the default chain;
 /// - `vehicle-pag-literal`: the chain of [Lu2018] as printed, to compare and to reproduce;
 /// - `vehicle-model`: vehicle-pag for models of about 1:10;
-/// - `road-users`: vehicle-pag that keeps smaller objects too (cyclists, pedestrians) as unknown.
+/// - `road-users`: vehicles, pedestrians and cyclists, told apart by the learned classifier.
 [[nodiscard]] Result<PerceptionOptions> preset(std::string_view name);
 [[nodiscard]] std::vector<std::string> preset_names();
 

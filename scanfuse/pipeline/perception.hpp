@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <tuple>
 #include <vector>
@@ -82,6 +83,10 @@ class Perception {
   /// What the last step saw on its way, in the levelled sensor frame: for reports.
   [[nodiscard]] const VirtualScan& virtual_scan() const { return virtual_scan_; }
   [[nodiscard]] const Clusters& clusters() const { return *clusters_; }
+  /// One a cluster. Valid until the next step.
+  [[nodiscard]] std::span<const Outline> outlines() const { return outlines_; }
+  /// Of which outline each detection is.
+  [[nodiscard]] std::span<const std::uint32_t> sources() const { return recognize_.sources(); }
   [[nodiscard]] Diagnostics diagnostics() const;
 
  private:
@@ -108,6 +113,7 @@ class Perception {
   VirtualScan virtual_scan_;
   std::vector<Expected> expected_;
   const Clusters* clusters_ = nullptr;
+  std::span<const Outline> outlines_;
 };
 
 template <class After>
@@ -131,10 +137,10 @@ void Perception::run(const PosedScan& posed, After& after) {
   clusters_ = &segment_(virtual_scan_);
   after(Stage::kSegment);
   expect(posed);
-  const auto outlines = outline_(virtual_scan_, *clusters_, expected_);
+  outlines_ = outline_(virtual_scan_, *clusters_, expected_);
   clusters_ = &outline_.clusters();
   after(Stage::kShape);
-  const auto detections = recognize_(outlines);
+  const auto detections = recognize_(outlines_);
   after(Stage::kClassify);
   give_in_world(posed, detections);
   result_.tracks = tracker_.step(posed.scan.stamp, result_.detections);

@@ -51,7 +51,7 @@ void set_summary(const VirtualScan& scan, std::span<const std::uint32_t> order, 
                  Outline& outline) {
   const PlanarPoint& front = scan.points[order.front()];
   outline.z_low_m = outline.z_high_m = front.z_m;
-  double sum = 0, squares = 0, offsets = 0;
+  double sum = 0, squares = 0, offsets = 0, support = 0;
   for (const std::uint32_t i : order) {
     const PlanarPoint& p = scan.points[i];
     offsets += p.time_offset_s;
@@ -60,8 +60,11 @@ void set_summary(const VirtualScan& scan, std::span<const std::uint32_t> order, 
     const double d = p.range_m - front.range_m;
     sum += d;
     squares += d * d;
+    support += p.support;
   }
   const auto count = static_cast<double>(order.size());
+  outline.mean_support = support / count;
+  outline.beam_gap_m = scan.step_rad * (front.range_m + sum / count);
   outline.time_offset_s = offsets / count;
   outline.var_range_m2 = std::max(squares / count - (sum / count) * (sum / count), 0.0);
   double span = scan.points[order.back()].bearing_rad - front.bearing_rad;
@@ -73,6 +76,22 @@ void set_summary(const VirtualScan& scan, std::span<const std::uint32_t> order, 
   }
   const double columns = std::round(span / scan.step_rad) + 1 - hidden;
   outline.coverage = std::min(count / std::max(columns, 1.0), 1.0);
+}
+
+/// Of the points about their middle: 0 for a line, 1 where no direction is longer.
+double roundness_of(std::span<const Eigen::Vector2d> points) {
+  Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+  for (const auto& p : points) middle += p;
+  middle /= static_cast<double>(points.size());
+  double xx = 0, xy = 0, yy = 0;
+  for (const auto& p : points) {
+    const Eigen::Vector2d d = p - middle;
+    xx += d.x() * d.x();
+    xy += d.x() * d.y();
+    yy += d.y() * d.y();
+  }
+  const double half = (xx + yy) / 2, apart = std::hypot((xx - yy) / 2, xy);
+  return half + apart > 0 ? std::sqrt(std::max(half - apart, 0.0) / (half + apart)) : 0;
 }
 
 double column_step(const VirtualScan& scan, std::span<const std::uint32_t> order) {
@@ -118,6 +137,7 @@ void OutlineExtractor::outline_of(const VirtualScan& scan, std::span<const std::
   gather(scan, indices);
   outline.points = static_cast<int>(points_.size());
   set_summary(scan, order_, options_.occlusion.nearer_by_m, outline);
+  outline.roundness = roundness_of(points_);
   find_lines(scan, outline);
   find_box(scan, outline);
 }

@@ -17,6 +17,8 @@ constexpr double kNominalStep_s = 0.08;
 constexpr double kStampRounding_s = 1e-3;
 /// A few missed scans in a row are chance, however young the track.
 constexpr double kLeastCoast_s = 0.3;
+/// What is small and has just appeared is oftener clutter than what stays.
+constexpr double kFullTrust_s = 1;
 constexpr double kMergeRadius_m = 3;
 constexpr double kMergeSpeed_m_per_s = 2;
 
@@ -99,6 +101,7 @@ Target birth(const Detection& detection, int index, std::int64_t id, Time stamp,
   target.heading.covariance = Eigen::Vector2d(m.var_heading_rad2 + 0.01, 0.25).asDiagonal();
   target.class_weight[static_cast<std::size_t>(detection.object_class)] =
       std::clamp(detection.score, 0.0, 1.0);
+  believe(target, detection.class_probability, stamp, options.belief.get());
   target.z_m = detection.z_m;
   target.height_m = detection.height_m;
   target.born = target.seen = stamp;
@@ -127,11 +130,16 @@ void reseat(Target& target, const Detection& detection, const TrackerOptions& op
 }
 
 void promote(Target& target, const TrackerOptions& options) {
-  if (target.status != TrackStatus::kTentative) return;
   const int window = std::max(options.confirm_window, options.confirm_hits);
-  if (hits_within(target.history, window) >= options.confirm_hits) {
+  if (target.status == TrackStatus::kTentative &&
+      hits_within(target.history, window) >= options.confirm_hits) {
     target.status = TrackStatus::kConfirmed;
   }
+  const double other = target.class_probability[static_cast<std::size_t>(ObjectClass::kOther)];
+  const double life_s = to_seconds(target.seen - target.born);
+  const bool is_small = class_of(target) != ObjectClass::kVehicle;
+  const double trust = is_small ? std::min(life_s / kFullTrust_s, 1.0) : 1.0;
+  if (other <= options.confirm_other_probability * trust) target.is_trusted = true;
 }
 
 bool is_part_of(const Detection& detection, std::span<const Target> targets) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <tuple>
 #include <utility>
 
@@ -8,6 +9,8 @@
 #include "scanfuse/core/options.hpp"
 
 namespace scanfuse::track {
+
+struct BeliefModel;
 
 /// What of a Detection is the measurement.
 enum class MeasuredAs { kBox, kCentre, kVisibleMiddle };
@@ -66,7 +69,11 @@ struct TrackerOptions {
   double coast_sigma_m = 2.5;
   int coast_frames = 0;
   double max_gap_s = 2;
+  double confirm_other_probability = 0.4;
   bool births_inside_tracks = false;
+  /// Filters class probabilities over time; without it the class is that of the largest sum of
+  /// scores. The pipeline puts it in where the recogniser tells probabilities.
+  std::shared_ptr<const BeliefModel> belief;
 
   static constexpr auto fields() {
     using O = TrackerOptions;
@@ -107,6 +114,9 @@ struct TrackerOptions {
               "when not 0: the same counted in scans, for every track"},
         Field{"max_gap_s", &O::max_gap_s, 0.1, 3600.0,
               "a longer pause in the data, or a step back by more, drops every track"},
+        Field{"confirm_other_probability", &O::confirm_other_probability, 0.0, 1.0,
+              "a track more surely no road user is not confirmed; a small one in its first second "
+              "needs less"},
         Field{"births_inside_tracks", &O::births_inside_tracks,
               "start tracks inside the box of a confirmed one"},
     };

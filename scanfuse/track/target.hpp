@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "scanfuse/core/time.hpp"
+#include "scanfuse/track/class_belief.hpp"
 #include "scanfuse/types/gaussian.hpp"
 #include "scanfuse/types/object_class.hpp"
 #include "scanfuse/types/track.hpp"
@@ -34,7 +35,10 @@ struct Target {
   double accel_m_per_s2 = 0;  ///< along the motion, smoothed
   double z_m = 0;
   double height_m = 0;
-  std::array<double, 5> class_weight{};  ///< sum of scores, by ObjectClass
+  std::array<double, 5> class_weight{};    ///< sum of scores, by ObjectClass
+  ClassBelief belief;                      ///< where detections tell class probabilities
+  ClassProbabilities class_probability{};  ///< what came of it; all zero: class_weight decides
+  bool is_trusted = false;  ///< has ever been surely no clutter: else reported as tentative
   Time born;
   Time seen;
   int age_frames = 0;
@@ -55,6 +59,16 @@ struct Target {
 
 /// The class with the largest weight, the lowest of equals.
 [[nodiscard]] ObjectClass class_of(const Target& target);
+
+/// The same among road users: what it is if it is not clutter. Decides what it may be paired with.
+[[nodiscard]] ObjectClass user_class_of(const Target& target);
+
+/// Whether it is believed to be no road user: such targets are not confirmed, nor reported so.
+[[nodiscard]] bool is_clutter(const Target& target);
+
+/// Folds in what a detection says of the class, after the motion; without a model nothing.
+void believe(Target& target, const ClassProbabilities& detected, Time stamp,
+             const BeliefModel* model);
 
 /// The target as a value to report. When it is confirmed and moves with a probability below
 /// `moving_from` it stands: velocity zero, what was believed of it added to its covariance.

@@ -59,7 +59,7 @@ void Tracker::expect(Time stamp, std::vector<Expected>& expected) const {
   for (const Target& target : targets_) {
     const bool is_known =
         target.status != TrackStatus::kTentative || std::popcount(target.history) > 1;
-    if (!is_known || class_of(target) != ObjectClass::kVehicle) continue;
+    if (!is_known || user_class_of(target) != ObjectClass::kVehicle) continue;
     Box2 box = target.box();
     box.centre_m += dt_s * target.velocity_m_per_s();
     const auto& P = target.state.covariance;

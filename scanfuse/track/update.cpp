@@ -22,6 +22,14 @@ constexpr double kUnsureSpeedDecay_s = 0.5;
 /// Distance of a detection's centre from its seen end is not bounded by the gate: search farther.
 constexpr double kLongestHalf_m = 4;
 
+/// Learned classes waver between small ones from scan to scan; only a vehicle is another thing.
+bool are_alike(ObjectClass believed, const Detection& detection) {
+  const bool vehicle = detection.object_class == ObjectClass::kVehicle;
+  const double told = detection.class_probability[static_cast<std::size_t>(ObjectClass::kOther)];
+  if (told > 0) return (believed == ObjectClass::kVehicle) == vehicle;
+  return believed == detection.object_class;
+}
+
 /// Cost of the pair, or nothing outside the gate.
 std::optional<double> gated_cost(const Target& target, const Detection& detection, double gate,
                                  const TrackerOptions& options) {
@@ -32,7 +40,7 @@ std::optional<double> gated_cost(const Target& target, const Detection& detectio
   if (options.distance == Distance::kEuclidean) return std::sqrt(squared_distance);
   const double nis = nu.nis();
   if (!(nis < gate)) return std::nullopt;
-  const bool same_class = class_of(target) == detection.object_class;
+  const bool same_class = are_alike(user_class_of(target), detection);
   return nis + nu.log_det() + (same_class ? 0.0 : options.class_mismatch_cost);
 }
 
@@ -131,6 +139,7 @@ void update(Target& target, const Detection& detection, int index, Time stamp, d
   update_moving(target, dt_s, options);
   target.class_weight[static_cast<std::size_t>(detection.object_class)] +=
       std::clamp(detection.score, 0.0, 1.0);
+  believe(target, detection.class_probability, stamp, options.belief.get());
   target.z_m += 0.3 * (detection.z_m - target.z_m);
   target.height_m = std::max(target.height_m, detection.height_m);
   target.seen = stamp;

@@ -12,7 +12,9 @@ namespace scanfuse {
 /// frame out of `classify`, the tracking (world) frame once the pipeline has moved it there.
 struct Detection {
   ObjectClass object_class = ObjectClass::kVehicle;
-  double score = 1;     ///< 0..1
+  double score = 1;  ///< 0..1
+  /// By ObjectClass, adding up to 1; all zero: the recogniser tells no probabilities.
+  ClassProbabilities class_probability{};
   Box2 box;             ///< heading known mod pi at best, mod pi/2 when one face is seen
   double z_m = 0;       ///< centre height above the frame's origin
   double height_m = 0;  ///< 0: not known

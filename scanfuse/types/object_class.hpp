@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -9,6 +10,10 @@ namespace scanfuse {
 
 /// What a detection or track is. Files spell it in lower case.
 enum class ObjectClass { kUnknown, kVehicle, kPedestrian, kCyclist, kOther };
+
+/// A number for each ObjectClass, in its order.
+inline constexpr std::size_t kObjectClasses = 5;
+using ClassProbabilities = std::array<double, kObjectClasses>;
 
 constexpr auto choices(ObjectClass) {
   using enum ObjectClass;

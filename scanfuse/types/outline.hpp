@@ -42,9 +42,12 @@ struct Outline {
   double residual_m = 0;     ///< rms distance of all points from the seen faces
   double inlier_share = 1;   ///< of the points, those within the noise of a seen face
   double coverage = 1;       ///< points per column that nothing nearer hides, from end to end
+  double roundness = 0;      ///< smaller by larger principal deviation of the points, 0..1
+  double beam_gap_m = 0;     ///< from beam to beam at its range; 0: not known
+  double mean_support = 1;   ///< layers that agree, mean over the points: tells of height
   double var_length_m2 = 0;  ///< of the box's extent between two free ends
   double var_width_m2 = 0;
-  std::uint32_t cluster = 0;  ///< which cluster of the scan
+  std::uint32_t cluster = 0;   ///< which cluster of the scan
   std::int32_t expected = -1;  ///< which object that a track expects lies here; -1: none
 };
 

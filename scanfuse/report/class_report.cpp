@@ -1,0 +1,39 @@
+#include "scanfuse/report/class_report.hpp"
+
+#include <fmt/format.h>
+
+#include "scanfuse/report/assets.hpp"
+
+namespace scanfuse::report {
+namespace {
+
+std::string html_table(const ReportTable& table) {
+  std::string html =
+      fmt::format("<section class=\"card\"><h2>{}</h2><table class=\"wide\"><thead><tr>",
+                  escape_html(table.title));
+  for (const auto& name : table.columns) html += "<th>" + escape_html(name) + "</th>";
+  html += "</tr></thead><tbody>\n";
+  for (const auto& row : table.rows) {
+    html += "<tr>";
+    for (const auto& cell : row) html += "<td>" + escape_html(cell) + "</td>";
+    html += "</tr>\n";
+  }
+  return html + "</tbody></table></section>\n";
+}
+
+}  // namespace
+
+std::string figures_page(const std::string& title, const std::string& note,
+                         const std::vector<ReportTable>& tables, const std::vector<Chart>& charts) {
+  std::string html = "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">";
+  html += fmt::format("<title>{}</title>\n<style>\n", escape_html(title));
+  html += page_style();
+  html += fmt::format("</style></head>\n<body><header><h1>{}</h1><p>{}</p></header>\n<main>\n",
+                      escape_html(title), escape_html(note));
+  for (const auto& table : tables) html += html_table(table);
+  html += "<section class=\"card\"><div class=\"charts\">\n";
+  for (const auto& chart : charts) html += line_chart(chart);
+  return html + "</div></section>\n</main></body></html>\n";
+}
+
+}  // namespace scanfuse::report

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "scanfuse/core/time.hpp"
+#include "scanfuse/types/object_class.hpp"
+
+namespace scanfuse::track {
+
+/// Rows of the belief: vehicle, pedestrian, cyclist, other.
+inline constexpr int kBelievedClasses = 4;
+inline constexpr std::array kSpeedKnots_m_per_s{0.0, 0.3, 0.7, 1.2, 2.0, 3.0, 4.5, 7.0, 11.0};
+inline constexpr std::array kSurenessKnots{0.0, 1.0, 2.0, 4.0, 8.0, 16.0};
+inline constexpr int kSpeeds = static_cast<int>(kSpeedKnots_m_per_s.size());
+inline constexpr int kSurenesses = static_cast<int>(kSurenessKnots.size());
+
+/// What the class of a track is judged by: 1; the sums of log likelihood ratios against "other"
+/// (vehicle, pedestrian, cyclist) and their means; ln of the evidence; hats of the filter's speed,
+/// of the mean speed since birth, and of the speed in its own deviations.
+inline constexpr int kBeliefTerms = 1 + 3 + 3 + 1 + kSpeeds + kSpeeds + kSurenesses;
+using BeliefTerms = Eigen::Matrix<double, kBeliefTerms, 1>;
+[[nodiscard]] std::vector<std::string> belief_term_names();
+
+/// p(class | track) = softmax(weights terms). Successive scans see an object alike, so their
+/// likelihoods are not independent: the weights of the sums, below 1, are the exponent that makes
+/// up for it. They come from `scanfuse learn classes`, by regression on tracks that the recogniser
+/// was not fitted to.
+struct BeliefModel {
+  double memory_s = 2.0;  ///< evidence fades by 1/e in this time
+  double full_s = 0.1;    ///< detections nearer in time than this count in proportion
+  std::array<double, kBelievedClasses> prior{0.25, 0.25, 0.25, 0.25};  ///< that detections carry
+  Eigen::Matrix<double, kBelievedClasses, kBeliefTerms> weights;
+};
+
+/// How a track moves, as far as its class is concerned.
+struct BeliefMotion {
+  Eigen::Vector2d position_m = Eigen::Vector2d::Zero();
+  double speed_m_per_s = 0;
+  double sigma_m_per_s = 1;
+};
+
+/// What is believed of the class of one track. Bounded: with n detections a second the sums never
+/// exceed memory_s / full_s + 1 detections' worth.
+struct ClassBelief {
+  std::array<double, 3> sum{};  ///< of ln p(c) / prior(c) - ln p(other) / prior(other), faded
+  double evidence = 0;          ///< detections that the sum is worth
+  Eigen::Vector2d born_m = Eigen::Vector2d::Zero();
+  Time born, last;
+
+  [[nodiscard]] bool is_empty() const { return evidence <= 0; }
+  /// Folds in a detection's class probabilities.
+  void add(const ClassProbabilities& detected, const Eigen::Vector2d& position_m, Time stamp,
+           const BeliefModel& model);
+  [[nodiscard]] BeliefTerms terms(const BeliefMotion& motion) const;
+  [[nodiscard]] ClassProbabilities probabilities(const BeliefMotion& motion,
+                                                 const BeliefModel& model) const;
+};
+
+}  // namespace scanfuse::track
