@@ -53,11 +53,8 @@ std::vector<BenchRow> rows_of(const std::string& method, const evaluate::ClassSc
   std::vector<BenchRow> rows;
   const auto add = [&](const std::string& name, const std::optional<double>& value,
                        const std::string& unit, const std::optional<double>& target, bool less) {
-    BenchRow row{method + " " + name, value.value_or(std::nan("")), unit, {}, {}, true};
-    if (promised && target) {
-      row.target = target;
-      row.met = less ? row.value <= *target : row.value >= *target;
-    }
+    BenchRow row{method + " " + name, value.value_or(std::nan("")), unit};
+    if (promised && target) row.target = less ? at_most(*target) : at_least(*target);
     rows.push_back(std::move(row));
   };
   for (const auto& goal : goals) {

@@ -15,11 +15,11 @@ namespace scanfuse::app {
 namespace {
 
 BenchRow upper_bounded(std::string name, double value, std::string unit, double target) {
-  return {std::move(name), value, std::move(unit), {}, target, value <= target};
+  return {std::move(name), value, std::move(unit), at_most(target)};
 }
 
 BenchRow lower_bounded(std::string name, double value, std::string unit, double target) {
-  return {std::move(name), value, std::move(unit), {}, target, value >= target};
+  return {std::move(name), value, std::move(unit), at_least(target)};
 }
 
 TruthFrame truth_of(const simulate::SetPiece& piece, const simulate::SceneFrame& scene,
@@ -117,7 +117,7 @@ std::vector<BenchRow> bend_rows(const std::string& name, const std::vector<BendT
     return static_cast<double>(e.clear.identity_switches);
   };
   const auto plain = [](std::string row, double value, std::string unit) {
-    return BenchRow{std::move(row), value, std::move(unit), {}, {}, true};
+    return BenchRow{std::move(row), value, std::move(unit)};
   };
   return {
       lower_bounded(name + " MOTA", mean([](T t) { return t.chain.clear.mota; }), "", mota),

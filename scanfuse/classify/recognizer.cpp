@@ -51,8 +51,7 @@ ObjectClass likeliest_user(const ClassProbabilities& p) {
 
 }  // namespace
 
-Recognizer::Recognizer(const RecognizerOptions& options)
-    : options_(options) {
+Recognizer::Recognizer(const RecognizerOptions& options) : options_(options) {
   const bool learned =
       options_.method == Method::kSoftmax || options_.method == Method::kGuoIntervals;
   if (learned && !options_.model) options_.method = Method::kScore;

@@ -51,7 +51,7 @@ struct RecognizerOptions {
   double min_coverage = 0.85;
   double right_angle_tolerance_rad = 0.35;
   double min_user_m = 0.15;
-  double max_other_probability = 0.99;
+  double max_other_probability = 0.999;
   std::string classes_file;
   /// What softmax and guo_intervals have learned; without it these two take the rules of `score`.
   /// The pipeline puts in what comes with the library, or what `classes_file` holds.

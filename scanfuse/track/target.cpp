@@ -47,7 +47,6 @@ ObjectClass user_class_of(const Target& target) {
   return static_cast<ObjectClass>(std::max_element(p.begin(), other) - p.begin());
 }
 
-
 namespace {
 
 /// Errors are counted from zero velocity then: E[v v'] = P + v v'.
