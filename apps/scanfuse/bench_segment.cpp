@@ -60,8 +60,9 @@ std::vector<Contender> contenders() {
     options.method = method;
     all.push_back({name, options});
   }
-  for (const auto& [name, method] : {std::pair{"pag", SegmentMethod::kPag},
-                                     std::pair{"breakpoint", SegmentMethod::kBreakpoint}}) {
+  for (const auto& [name, method] :
+       {std::pair{"pag", SegmentMethod::kPag}, std::pair{"surface", SegmentMethod::kSurface},
+        std::pair{"breakpoint", SegmentMethod::kBreakpoint}}) {
     for (const auto join : {shape::JoinMethod::kOccluder, shape::JoinMethod::kGuo}) {
       SegmentOptions options;
       options.method = method;
@@ -72,6 +73,10 @@ std::vector<Contender> contenders() {
   SegmentOptions square;
   square.pag.cells = segment::PagCells::kSquare;
   all.push_back({"pag square", square});
+  SegmentOptions notched;
+  notched.pag.notch_m = segment::SurfaceOptions{}.notch_m;
+  all.push_back({"pag notched", notched});
+  all.push_back({"pag notched joined", notched, shape::JoinMethod::kOccluder});
   return all;
 }
 

@@ -49,7 +49,8 @@ Result<void> set_config(PerceptionOptions& options, std::string_view assignment)
 }
 
 std::vector<std::string> preset_names() {
-  return {"vehicle-pag", "vehicle-pag-literal", "vehicle-model", "road-users"};
+  return {"vehicle-pag", "vehicle-pag-literal", "vehicle-model", "road-users",
+          "road-users-literal"};
 }
 
 namespace {
@@ -84,6 +85,24 @@ PerceptionOptions road_users_chain() {
   return options;
 }
 
+/// The tracker has no literal of its own: nearest neighbour by Euclidean distance, tracks that live
+/// a time unseen.
+PerceptionOptions road_users_literal_chain() {
+  PerceptionOptions options = road_users_chain();
+  options.preprocess.outliers = preprocess::OutlierMethod::kMedianReplace;
+  options.segment.method = segment::SegmentMethod::kAdaptive;
+  options.shape.outline.lines = shape::LineMethod::kIepfLiteral;
+  options.shape.join.method = shape::JoinMethod::kGuo;
+  options.shape.join.expected_margin_m = 0;
+  options.track.measurement = track::MeasuredAs::kCentre;
+  options.track.associator = associate::Method::kNearest;
+  options.track.distance = track::Distance::kEuclidean;
+  options.track.confirm_hits = 1;
+  options.track.confirm_window = 1;
+  options.track.births_inside_tracks = true;
+  return options;
+}
+
 }  // namespace
 
 Result<PerceptionOptions> preset(std::string_view name) {
@@ -91,6 +110,7 @@ Result<PerceptionOptions> preset(std::string_view name) {
   if (name == "vehicle-pag-literal") return literal_chain();
   if (name == "vehicle-model") return model_chain();
   if (name == "road-users") return road_users_chain();
+  if (name == "road-users-literal") return road_users_literal_chain();
   return fail(Error::Code::kNotFound, "unknown preset '{}'; did you mean '{}'? Known: {}", name,
               nearest_name(name, preset_names()), fmt::join(preset_names(), ", "));
 }

@@ -18,7 +18,9 @@ void for_each_section(Options& options, Visit&& visit) {
   visit("segment", options.segment);
   visit("pag", options.segment.pag);
   visit("pag_literal", options.segment.pag_literal);
+  visit("surface", options.segment.surface);
   visit("breakpoint", options.segment.breakpoint);
+  visit("adaptive", options.segment.adaptive);
   visit("distance_threshold", options.segment.distance_threshold);
   visit("euclidean", options.segment.euclidean);
   visit("outline", options.shape.outline);
@@ -44,7 +46,9 @@ void for_each_section(Options& options, Visit&& visit) {
 /// - `vehicle-pag`: vehicles by the default chain;
 /// - `vehicle-pag-literal`: the chain of [Lu2018] as printed, to compare and to reproduce;
 /// - `vehicle-model`: vehicle-pag for models of about 1:10;
-/// - `road-users`: vehicles, pedestrians and cyclists, told apart by the learned classifier.
+/// - `road-users`: vehicles, pedestrians and cyclists, told apart by the learned classifier;
+/// - `road-users-literal`: the chain of [Guo] as printed as far as it goes, to compare: median,
+///   adaptive threshold of two lambdas, IEPF, its merging, nearest neighbours.
 [[nodiscard]] Result<PerceptionOptions> preset(std::string_view name);
 [[nodiscard]] std::vector<std::string> preset_names();
 

@@ -31,6 +31,7 @@ Pose2 world_from_level(const PosedScan& posed) {
 
 Perception::Perception(const PerceptionOptions& options)
     : options_(options),
+      filter_(options.preprocess),
       flatten_(options.preprocess),
       segment_(options.segment),
       outline_(options.shape),

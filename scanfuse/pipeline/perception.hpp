@@ -11,6 +11,7 @@
 #include "scanfuse/pipeline/scaled.hpp"
 #include "scanfuse/pipeline/scan_feed.hpp"
 #include "scanfuse/preprocess/deskew.hpp"
+#include "scanfuse/preprocess/spatio_temporal.hpp"
 #include "scanfuse/preprocess/virtual_scan_builder.hpp"
 #include "scanfuse/segment/segmenter.hpp"
 #include "scanfuse/shape/outline.hpp"
@@ -104,6 +105,7 @@ class Perception {
 
   PerceptionOptions options_;
   Diagnostics diagnostics_;
+  preprocess::SpatioTemporalFilter filter_;
   preprocess::VirtualScanBuilder flatten_;
   segment::Segmenter segment_;
   shape::OutlineExtractor outline_;
@@ -130,7 +132,8 @@ const StepResult& Perception::step(const PosedScan& posed, After&& after) {
 
 template <class After>
 void Perception::run(const PosedScan& posed, After& after) {
-  virtual_scan_ = flatten_(posed.scan, posed.ego_from_sensor);
+  const Scan& clean = filter_(posed.scan, posed.world_from_ego * posed.ego_from_sensor);
+  virtual_scan_ = flatten_(clean, posed.ego_from_sensor);
   after(Stage::kPreprocess);
   if (options_.pipeline.deskew) straighten(posed);
   after(Stage::kDeskew);

@@ -24,7 +24,25 @@ constexpr auto choices(GroundMethod) {
                     std::pair{"layers", kLayers}, std::pair{"grid", kGrid}};
 }
 
+/// How returns that belong to nothing are told by their neighbours in space and time.
+enum class OutlierMethod {
+  kNone,
+  kSupported,      ///< a return without supporters is dropped
+  kMedianReplace,  ///< each range becomes the median around it, as printed
+};
+
+constexpr auto choices(OutlierMethod) {
+  using enum OutlierMethod;
+  return std::array{std::pair{"none", kNone}, std::pair{"supported", kSupported},
+                    std::pair{"median_replace", kMedianReplace}};
+}
+
 struct PreprocessOptions {
+  OutlierMethod outliers = OutlierMethod::kNone;
+  double outlier_support_m = 0.2;
+  double outlier_support_per_m = 0.01;
+  double outlier_relaxed_m = 20;
+  bool median_compensated = false;
   GroundMethod ground = GroundMethod::kAuto;
   double range_min_m = 0.05;
   double range_max_m = 250;
@@ -45,6 +63,15 @@ struct PreprocessOptions {
   static constexpr auto fields() {
     using O = PreprocessOptions;
     return std::tuple{
+        Field{"outliers", &O::outliers, "how returns that belong to nothing are taken away"},
+        Field{"outlier_support_m", &O::outlier_support_m, 0.0, 10.0,
+              "supported: neighbours within this + outlier_support_per_m * range are supporters"},
+        Field{"outlier_support_per_m", &O::outlier_support_per_m, 0.0, 1.0,
+              "see outlier_support_m"},
+        Field{"outlier_relaxed_m", &O::outlier_relaxed_m, 0.0, 10000.0,
+              "supported: farther than this one supporter is enough, nearer two are needed"},
+        Field{"median_compensated", &O::median_compensated,
+              "median_replace: move the scan before by the ego's motion"},
         Field{"ground", &O::ground, "how ground returns are told from objects"},
         Field{"range_min_m", &O::range_min_m, 0.0, 1000.0, "nearer returns are dropped"},
         Field{"range_max_m", &O::range_max_m, 0.1, 10000.0, "farther returns are dropped"},

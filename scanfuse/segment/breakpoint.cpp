@@ -1,87 +1,13 @@
 #include "scanfuse/segment/breakpoint.hpp"
 
-#include <algorithm>
-#include <cmath>
-
-#include "scanfuse/geometry/angles.hpp"
+#include "scanfuse/segment/breakpoint_rule.hpp"
+#include "scanfuse/segment/runs.hpp"
 
 namespace scanfuse::segment {
-namespace {
-
-/// Columns hold a few points at most; this keeps scans without column numbers linear.
-constexpr std::size_t kLookBack = 16;
-
-double squared_distance(const PlanarPoint& a, const PlanarPoint& b) {
-  const double dx = static_cast<double>(a.x_m) - b.x_m, dy = static_cast<double>(a.y_m) - b.y_m;
-  return dx * dx + dy * dy;
-}
-
-/// One past the last point of the same bearing column as point `i`.
-std::size_t column_end(const std::vector<PlanarPoint>& points, std::size_t i) {
-  std::size_t end = i + 1;
-  while (end < points.size() && points[end].column == points[i].column) ++end;
-  return end;
-}
-
-/// Joins what `linked(earlier, later, gap_rad)` holds together among the points of each bearing
-/// column and the occupied column before it; on a full circle the last column comes before the
-/// first.
-template <class Linked>
-void join_runs(const VirtualScan& scan, DisjointSets& sets, Linked linked) {
-  const auto& points = scan.points;
-  sets.reset(points.size());
-  std::size_t previous = 0, begin = 0;
-  while (begin < points.size()) {
-    const std::size_t end = column_end(points, begin);
-    for (std::size_t i = begin; i < end; ++i) {
-      for (std::size_t j = std::max(previous, i - std::min(i, kLookBack)); j < i; ++j) {
-        const double gap = static_cast<double>(points[i].bearing_rad) - points[j].bearing_rad;
-        if (linked(points[j], points[i], gap)) {
-          sets.join(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
-        }
-      }
-    }
-    previous = begin;
-    begin = end;
-  }
-  if (!scan.full_circle || previous == 0) return;
-  for (std::size_t i = 0; i < column_end(points, 0); ++i) {
-    for (std::size_t j = std::max(previous, points.size() - std::min(points.size(), kLookBack));
-         j < points.size(); ++j) {
-      const double gap = 2 * kPi + points[i].bearing_rad - points[j].bearing_rad;
-      if (linked(points[j], points[i], gap)) {
-        sets.join(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
-      }
-    }
-  }
-}
-
-/// The root of every point's set.
-void label_roots(DisjointSets& sets, std::vector<std::uint32_t>& labels, std::size_t count) {
-  labels.resize(count);
-  for (std::uint32_t i = 0; i < count; ++i) labels[i] = sets.find(i);
-}
-
-}  // namespace
 
 const Clusters& Breakpoint::operator()(const VirtualScan& scan) {
-  const double slack = options_.sigma_factor * scan.sigma_range_m;
-  const double widest =
-      scan.step_rad > 0 ? (options_.gap_steps + 0.5) * scan.step_rad : options_.lambda_rad;
-  // Most gaps are one step: its factor is worked out once.
-  const double step_factor =
-      scan.step_rad < options_.lambda_rad
-          ? std::sin(scan.step_rad) / std::sin(options_.lambda_rad - scan.step_rad)
-          : 0;
-  const auto linked = [&](const PlanarPoint& a, const PlanarPoint& b, double gap) {
-    if (gap > widest || std::max(gap, scan.step_rad) >= options_.lambda_rad) return false;
-    const double nearer = std::min(a.range_m, b.range_m);
-    const double factor =
-        gap <= scan.step_rad ? step_factor : std::sin(gap) / std::sin(options_.lambda_rad - gap);
-    const double threshold = nearer * factor + slack;
-    return squared_distance(a, b) <= threshold * threshold;
-  };
-  join_runs(scan, sets_, linked);
+  join_runs(scan, sets_,
+            BreakpointRule(scan, options_.lambda_rad, options_.gap_steps, options_.sigma_factor));
   label_roots(sets_, labels_, scan.points.size());
   return gather_(labels_, scan.points.size(), options_.min_points);
 }

@@ -23,7 +23,8 @@ const Clusters& Pag::operator()(const VirtualScan& scan) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     labels_[i] = cell_of_[i] == CellTable::kNone ? Gatherer::kNoise : owners_[cell_of_[i]];
   }
-  return gather_(labels_, weights_.size(), options_.min_points);
+  const Clusters& whole = gather_(labels_, weights_.size(), options_.min_points);
+  return cut_(scan, whole, options_.notch_m, options_.min_points);
 }
 
 void Pag::place(std::size_t point, std::uint32_t cell, float weight) {

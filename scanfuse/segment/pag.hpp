@@ -6,10 +6,11 @@
 #include <utility>
 #include <vector>
 
+#include "scanfuse/core/disjoint_sets.hpp"
 #include "scanfuse/core/options.hpp"
 #include "scanfuse/segment/cell_table.hpp"
-#include "scanfuse/core/disjoint_sets.hpp"
 #include "scanfuse/segment/gather.hpp"
+#include "scanfuse/segment/notch.hpp"
 #include "scanfuse/segment/ring_cells.hpp"
 #include "scanfuse/segment/ring_grid.hpp"
 #include "scanfuse/types/clusters.hpp"
@@ -37,6 +38,7 @@ struct PagOptions {
   double depth = 5;
   double square_cap_m = 0.5;
   double density = 0.35;
+  double notch_m = 0;
   int min_points = 3;
 
   static constexpr auto fields() {
@@ -50,6 +52,8 @@ struct PagOptions {
         Field{"depth", &O::depth, 0.2, 10.0, "growing: depth of a cell over its width"},
         Field{"square_cap_m", &O::square_cap_m, 0.05, 10.0, "square: the largest cell"},
         Field{"density", &O::density, 0.0, 10.0, "multiple of MinPts that a dense cell exceeds"},
+        Field{"notch_m", &O::notch_m, 0.0, 10.0,
+              "an outline dented by more than this and noise is cut there; 0: never"},
         Field{"min_points", &O::min_points, 1, 1000, "smaller clusters are dropped"},
     };
   }
@@ -67,7 +71,8 @@ struct PagOptions {
 ///  - dense means more than MinPts = C (see pag_min_points) times `density`; where no cell exceeds
 ///  it,
 ///    reaching it is enough;
-///  - a low cell goes to the densest of its dense neighbours and never bridges two clusters.
+///  - a low cell goes to the densest of its dense neighbours and never bridges two clusters;
+///  - with `notch_m` clusters are cut where two things touch, see NotchCutter: off by default.
 /// Time and memory follow the number of points, whatever the area. Points come in order of bearing.
 class Pag {
  public:
@@ -100,6 +105,7 @@ class Pag {
   std::vector<std::uint32_t> labels_;
   DisjointSets sets_;
   Gatherer gather_;
+  NotchCutter cut_;
 };
 
 }  // namespace scanfuse::segment

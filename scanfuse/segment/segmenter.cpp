@@ -3,7 +3,8 @@
 namespace scanfuse::segment {
 namespace {
 
-using Method = std::variant<Pag, PagLiteral, Breakpoint, DistanceThreshold, Euclidean>;
+using Method =
+    std::variant<Pag, PagLiteral, Surface, Breakpoint, Adaptive, DistanceThreshold, Euclidean>;
 
 Method make_method(const SegmentOptions& options) {
   switch (options.method) {
@@ -11,8 +12,12 @@ Method make_method(const SegmentOptions& options) {
       return Pag(options.pag);
     case SegmentMethod::kPagLiteral:
       return PagLiteral(options.pag_literal);
+    case SegmentMethod::kSurface:
+      return Surface(options.surface);
     case SegmentMethod::kBreakpoint:
       return Breakpoint(options.breakpoint);
+    case SegmentMethod::kAdaptive:
+      return Adaptive(options.adaptive);
     case SegmentMethod::kDistanceThreshold:
       return DistanceThreshold(options.distance_threshold);
     case SegmentMethod::kEuclidean:

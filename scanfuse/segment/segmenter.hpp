@@ -7,10 +7,12 @@
 #include <variant>
 
 #include "scanfuse/core/options.hpp"
+#include "scanfuse/segment/adaptive.hpp"
 #include "scanfuse/segment/breakpoint.hpp"
 #include "scanfuse/segment/euclidean.hpp"
 #include "scanfuse/segment/pag.hpp"
 #include "scanfuse/segment/pag_literal.hpp"
+#include "scanfuse/segment/surface.hpp"
 
 namespace scanfuse::segment {
 
@@ -23,12 +25,23 @@ concept Segmentation = requires(T segment, const VirtualScan& scan) {
   { segment(scan) } -> std::same_as<const Clusters&>;
 };
 
-enum class SegmentMethod { kPag, kPagLiteral, kBreakpoint, kDistanceThreshold, kEuclidean };
+enum class SegmentMethod {
+  kPag,
+  kPagLiteral,
+  kSurface,
+  kBreakpoint,
+  kAdaptive,
+  kDistanceThreshold,
+  kEuclidean
+};
 
 constexpr auto choices(SegmentMethod) {
   using enum SegmentMethod;
-  return std::array{std::pair{"pag", kPag}, std::pair{"pag_literal", kPagLiteral},
+  return std::array{std::pair{"pag", kPag},
+                    std::pair{"pag_literal", kPagLiteral},
+                    std::pair{"surface", kSurface},
                     std::pair{"breakpoint", kBreakpoint},
+                    std::pair{"adaptive", kAdaptive},
                     std::pair{"distance_threshold", kDistanceThreshold},
                     std::pair{"euclidean", kEuclidean}};
 }
@@ -38,7 +51,9 @@ struct SegmentOptions {
   SegmentMethod method = SegmentMethod::kPag;
   PagOptions pag;
   PagLiteralOptions pag_literal;
+  SurfaceOptions surface;
   BreakpointOptions breakpoint;
+  AdaptiveOptions adaptive;
   DistanceThresholdOptions distance_threshold;
   EuclideanOptions euclidean;
 
@@ -55,7 +70,8 @@ class Segmenter {
   const Clusters& operator()(const VirtualScan& scan);
 
  private:
-  std::variant<Pag, PagLiteral, Breakpoint, DistanceThreshold, Euclidean> method_;
+  std::variant<Pag, PagLiteral, Surface, Breakpoint, Adaptive, DistanceThreshold, Euclidean>
+      method_;
 };
 
 }  // namespace scanfuse::segment

@@ -150,8 +150,8 @@ PerceptionOptions chain(const char* method, OutputFrame frame) {
 }
 
 TEST(HostileScans, GiveNothingThatIsNotFiniteByAnySegmentation) {
-  for (const char* method :
-       {"pag", "pag_literal", "breakpoint", "distance_threshold", "euclidean"}) {
+  for (const char* method : {"pag", "pag_literal", "surface", "breakpoint", "adaptive",
+                             "distance_threshold", "euclidean"}) {
     for (const OutputFrame frame : {OutputFrame::kWorld, OutputFrame::kEgo}) {
       SCOPED_TRACE(method);
       Perception perception(chain(method, frame));

@@ -17,13 +17,13 @@ using testing::planar_point;
 template <class T>
 class SegmentationLaws : public ::testing::Test {};
 
-using Policies =
-    ::testing::Types<Pag, PagLiteral, Breakpoint, DistanceThreshold, Euclidean, Segmenter>;
+using Policies = ::testing::Types<Pag, PagLiteral, Surface, Breakpoint, Adaptive, DistanceThreshold,
+                                  Euclidean, Segmenter>;
 TYPED_TEST_SUITE(SegmentationLaws, Policies);
 
 static_assert(Segmentation<Pag> && Segmentation<PagLiteral> && Segmentation<Breakpoint> &&
-              Segmentation<DistanceThreshold> && Segmentation<Euclidean> &&
-              Segmentation<Segmenter>);
+              Segmentation<Surface> && Segmentation<Adaptive> && Segmentation<DistanceThreshold> &&
+              Segmentation<Euclidean> && Segmentation<Segmenter>);
 
 void expect_well_formed(const Clusters& clusters, std::size_t points) {
   std::set<std::uint32_t> seen;
@@ -96,7 +96,7 @@ TYPED_TEST(SegmentationLaws, ExtremeCoordinatesAreSurvived) {
 
 template <class T>
 class RobustSegmentation : public ::testing::Test {};
-using Robust = ::testing::Types<Pag, Breakpoint, DistanceThreshold, Euclidean>;
+using Robust = ::testing::Types<Pag, Surface, Breakpoint, Adaptive, DistanceThreshold, Euclidean>;
 TYPED_TEST_SUITE(RobustSegmentation, Robust);
 
 TYPED_TEST(RobustSegmentation, CutsOutThreeCarsBetweenBarriers) {
