@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "scanfuse/core/parallel.hpp"
+#include "scanfuse/pipeline/config.hpp"
 #include "scanfuse/simulate/set_pieces.hpp"
 #include "scanfuse/simulate/simulate.hpp"
 #include "track_trial.hpp"
@@ -185,16 +186,16 @@ std::vector<BenchRow> bench_set_pieces(const track::TrackerOptions& options, int
 
 Result<std::vector<BenchRow>> bench_bends(const SeedRange& range,
                                           const pipeline::PerceptionOptions& config, int threads) {
-  auto with_cyclist = config;
-  with_cyclist.classify.keep = classify::Keep::kRoadUsers;
-  with_cyclist.track.class_mismatch_cost = 100;
+  auto with_cyclist = pipeline::preset("road-users");
+  if (!with_cyclist) return tl::unexpected(with_cyclist.error());
+  with_cyclist->track.motion = config.track.motion;
   std::vector<BenchRow> rows;
   for (const bool cyclist : {false, true}) {
     const std::string name = cyclist ? "curved-road-cyclist" : "curved-road";
     const auto seeds = static_cast<std::size_t>(range.count);
     std::vector<Result<BendTrial>> outcomes(seeds, BendTrial{});
     parallel_for(seeds, threads, [&](std::size_t i) {
-      outcomes[i] = run_bend(name, range.first + i, cyclist ? with_cyclist : config);
+      outcomes[i] = run_bend(name, range.first + i, cyclist ? *with_cyclist : config);
     });
     std::vector<BendTrial> trials;
     for (auto& outcome : outcomes) {

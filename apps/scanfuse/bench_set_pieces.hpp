@@ -13,8 +13,8 @@ namespace scanfuse::app {
 [[nodiscard]] std::vector<BenchRow> bench_set_pieces(const track::TrackerOptions& options,
                                                      int runs);
 
-/// The bend with oncoming cars, and with a crossing cyclist (road users kept): by the whole chain,
-/// and by the tracker alone with a perfect detection of whatever shows three returns.
+/// The bend with oncoming cars, and with a crossing cyclist (by preset road-users): the whole
+/// chain, and by the tracker alone with a perfect detection of whatever shows three returns.
 [[nodiscard]] Result<std::vector<BenchRow>> bench_bends(const SeedRange& range,
                                                         const pipeline::PerceptionOptions& config,
                                                         int threads);

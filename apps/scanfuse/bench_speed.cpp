@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "bench_rows.hpp"
+#include "bench_set_pieces.hpp"
 #include "scanfuse/core/random.hpp"
 #include "scanfuse/pipeline/config.hpp"
 #include "scanfuse/simulate/simulate.hpp"
@@ -189,6 +190,8 @@ Result<std::vector<BenchRow>> bench_speed(std::uint64_t seed, const std::string&
   keep_one_layer(*scans);
   add_chain(rows, "lu2018-2, one layer", time_chain(std::move(*scans), *config));
   for (const bool street : {true, false}) add_ladder(rows, config->segment.pag, street);
+  const auto tracker = bench_tracker_speed(config->track);
+  rows.insert(rows.end(), tracker.begin(), tracker.end());
   return rows;
 }
 

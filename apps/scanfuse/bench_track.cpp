@@ -103,7 +103,6 @@ Result<std::vector<BenchRow>> bench_track(const SeedRange& range, const std::str
   if (!bends) return bends;
   append(*bends);
   append(bench_set_pieces(config->track, 5 * range.count));
-  append(bench_tracker_speed(config->track));
   return rows;
 }
 
