@@ -151,7 +151,7 @@ OutlineSample sample_of(std::span<const Outline> outlines, std::size_t of, int l
   sample.var_r_m2 = outline.var_range_m2;
   if (!outline.lines.empty()) {
     const auto [less, more] =
-        std::minmax(outline.lines.front().length_m(), outline.lines.back().length_m());
+        std::minmax({outline.lines.front().length_m(), outline.lines.back().length_m()});
     sample.l1_m = more;
     sample.l2_m = less;
   }
