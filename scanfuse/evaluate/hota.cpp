@@ -28,6 +28,7 @@ struct GlobalAlignment {
 /// Each pair's similarity, as a share of all that the two could have been paired with.
 Eigen::MatrixXd soft_overlap(const Eigen::MatrixXd& similar) {
   Eigen::MatrixXd share = similar;
+  if (share.size() == 0) return share;
   const Eigen::VectorXd rows = similar.rowwise().sum();
   const Eigen::RowVectorXd columns = similar.colwise().sum();
   for (int i = 0; i < share.rows(); ++i) {
