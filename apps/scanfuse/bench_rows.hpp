@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -31,6 +32,21 @@ struct BenchRow {
   std::optional<double> peer = std::nullopt;  ///< of another program or method, where known
   [[nodiscard]] bool met() const { return target.met_by(value); }
 };
+
+/// The mean of what `value(trial)` tells, an optional number, over the trials that tell it; not a
+/// number where none does.
+template <class Trial, class Value>
+[[nodiscard]] double mean_of(const std::vector<Trial>& trials, Value&& value) {
+  double sum = 0;
+  int count = 0;
+  for (const Trial& trial : trials) {
+    const std::optional<double> v = value(trial);
+    if (!v) continue;
+    sum += *v;
+    ++count;
+  }
+  return count > 0 ? sum / count : std::nan("");
+}
 
 /// Which random scenes a benchmark draws: seeds first, first + 1, ...
 struct SeedRange {

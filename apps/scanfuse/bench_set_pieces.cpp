@@ -97,23 +97,10 @@ Result<BendTrial> run_bend(const std::string& scenario, std::uint64_t seed,
                    perfectly_detected(std::move(*simulation), config.track, scoring)};
 }
 
-double average_of(const std::vector<BendTrial>& trials, auto&& value) {
-  double sum = 0;
-  int count = 0;
-  for (const auto& trial : trials) {
-    const std::optional<double> v = value(trial);
-    if (v) {
-      sum += *v;
-      ++count;
-    }
-  }
-  return count > 0 ? sum / count : std::nan("");
-}
-
 std::vector<BenchRow> bend_rows(const std::string& name, const std::vector<BendTrial>& trials,
                                 double mota) {
   using T = const BendTrial&;
-  const auto mean = [&](auto&& value) { return average_of(trials, value); };
+  const auto mean = [&](auto&& value) { return mean_of(trials, value); };
   const auto switches = [](const evaluate::Evaluation& e) -> std::optional<double> {
     return static_cast<double>(e.clear.identity_switches);
   };
@@ -147,8 +134,9 @@ std::vector<Detection> lattice(int cars, int frame, RandomStream& random) {
   const int side = static_cast<int>(std::ceil(std::sqrt(cars)));
   std::vector<Detection> detections;
   for (int i = 0; i < cars; ++i) {
-    const Eigen::Vector2d at(8.0 * (i % side) + 0.8 * frame + random.normal(0, 0.1),
-                             8.0 * (i / side) + random.normal(0, 0.1));
+    const int row = i / side, place = i % side;
+    const Eigen::Vector2d at(8.0 * place + 0.8 * frame + random.normal(0, 0.1),
+                             8.0 * row + random.normal(0, 0.1));
     detections.push_back(simulate::box_detection(at, 0, {at, {10, 0}}, 0.1));
   }
   return detections;

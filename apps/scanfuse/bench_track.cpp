@@ -11,19 +11,6 @@ namespace {
 
 constexpr int kScenarios = 3;
 
-double mean_of(const std::vector<TrackTrial>& trials, auto&& value) {
-  double sum = 0;
-  int count = 0;
-  for (const auto& trial : trials) {
-    const std::optional<double> v = value(trial);
-    if (v) {
-      sum += *v;
-      ++count;
-    }
-  }
-  return count > 0 ? sum / count : std::nan("");
-}
-
 class Rows {
  public:
   explicit Rows(std::string scenario) : scenario_(std::move(scenario)) {}

@@ -87,7 +87,7 @@ Result<T> parse(std::string_view text) {
 }
 
 template <class T>
-std::string range_text(T low, T high) {
+std::string range_text(const T& low, const T& high) {
   if constexpr (std::is_same_v<T, bool>) {
     return "true | false";
   } else if constexpr (std::is_arithmetic_v<T>) {

@@ -76,13 +76,10 @@ Eigen::Vector2d sensor_place(const StepResult& step, const TruthFrame& truth) {
 }
 
 std::vector<Eigen::Vector2d> places_of(const StepResult& step, const TruthFrame& truth) {
-  Pose2 truth_from_step;
-  if (step.coordinate_frame != truth.coordinate_frame) {
-    const Pose2 world_from_ego = step.world_from_ego.planar();
-    truth_from_step = truth.coordinate_frame == "ego" ? world_from_ego.inverse() : world_from_ego;
-  }
+  const Pose2 to_from = truth_from_output(step, truth);
   std::vector<Eigen::Vector2d> places;
-  for (const Track& t : step.tracks) places.push_back(truth_from_step * t.box.centre_m);
+  places.reserve(step.tracks.size());
+  for (const Track& t : step.tracks) places.push_back(to_from * t.box.centre_m);
   return places;
 }
 

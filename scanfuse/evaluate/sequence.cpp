@@ -55,12 +55,6 @@ void drop_ignored(ScoredFrame& frame, const EvaluateOptions& options) {
   std::erase_if(frame.truth, [&](const TruthObject& object) { return !counts(object, options); });
 }
 
-Pose2 truth_from_output(const StepResult& step, const TruthFrame* truth) {
-  if (truth == nullptr || truth->coordinate_frame == step.coordinate_frame) return {};
-  const Pose2 world_from_ego = step.world_from_ego.planar();
-  return truth->coordinate_frame == "ego" ? world_from_ego.inverse() : world_from_ego;
-}
-
 /// `anchor` is the truth frame whose coordinate frame is used (its own, or the sequence's first).
 ScoredFrame scored_frame(const StepResult* step, const TruthFrame* truth,
                          const TruthFrame* anchor) {
@@ -69,7 +63,7 @@ ScoredFrame scored_frame(const StepResult* step, const TruthFrame* truth,
   frame.frame = step != nullptr ? step->frame : truth->frame;
   if (truth != nullptr) frame.truth = truth->objects;
   if (step == nullptr) return frame;
-  const Pose2 to_from = truth_from_output(*step, anchor);
+  const Pose2 to_from = anchor == nullptr ? Pose2{} : truth_from_output(*step, *anchor);
   if (anchor == nullptr || anchor->coordinate_frame != "ego") {
     frame.viewer_m = step->world_from_ego.translation_m.head<2>();
   }
@@ -107,6 +101,12 @@ void number_densely(Sequence& sequence) {
 }
 
 }  // namespace
+
+Pose2 truth_from_output(const StepResult& step, const TruthFrame& truth) {
+  if (truth.coordinate_frame == step.coordinate_frame) return {};
+  const Pose2 world_from_ego = step.world_from_ego.planar();
+  return truth.coordinate_frame == "ego" ? world_from_ego.inverse() : world_from_ego;
+}
 
 Track moved(const Track& track, const Pose2& to_from) {
   if (to_from.x_m == 0 && to_from.y_m == 0 && to_from.heading_rad == 0) return track;

@@ -42,6 +42,9 @@ struct Sequence {
                                      std::span<const TruthFrame> truth,
                                      const EvaluateOptions& options);
 
+/// Brings what a step tells in its output frame into the frame of the truth.
+[[nodiscard]] Pose2 truth_from_output(const StepResult& step, const TruthFrame& truth);
+
 /// The track as seen in another frame: `to_from` is target_from_source. Position, heading, velocity
 /// and covariances turn; velocity stays over ground.
 [[nodiscard]] Track moved(const Track& track, const Pose2& to_from);

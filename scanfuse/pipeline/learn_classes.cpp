@@ -168,6 +168,7 @@ std::vector<std::optional<int>> label_outlines(const Perception& perception, con
   const auto boxes = boxes_of(posed, truth);
   const Clusters& clusters = perception.clusters();
   std::vector<std::optional<int>> labels;
+  labels.reserve(clusters.size());
   for (std::size_t k = 0; k < clusters.size(); ++k) {
     labels.push_back(clusters[k].empty() ? std::nullopt
                                          : label_of(perception.virtual_scan(), clusters[k], boxes));

@@ -50,6 +50,7 @@ std::vector<SceneFrame> play(const std::vector<Mover>& movers, const SceneOption
                              std::uint64_t seed) {
   RandomStream random(seed);
   std::vector<Eigen::Vector4d> states;
+  states.reserve(movers.size());
   for (const Mover& m : movers) {
     states.emplace_back(m.start_m.x(), m.velocity_m_per_s.x(), m.start_m.y(),
                         m.velocity_m_per_s.y());
@@ -94,6 +95,7 @@ std::vector<SetPiece> set_pieces() {
        0.7});
   pieces.push_back({"overtaking", {{{-20, 0}, {4, 0}}, {{-28, 3}, {8, 0}}}, 0.0});
   std::vector<Mover> line;
+  line.reserve(5);
   for (int i = 0; i < 5; ++i) line.push_back({{-25.0 + 7 * i, 0}, {4, 0}});
   pieces.push_back({"five in line", line, 0.2});
   return pieces;

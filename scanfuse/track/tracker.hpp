@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "scanfuse/core/diagnostics.hpp"
@@ -24,7 +25,7 @@ namespace scanfuse::track {
 /// - a detection with a number that is not finite, or absurdly large: left out.
 class Tracker {
  public:
-  explicit Tracker(TrackerOptions options = {}) : options_(options) {}
+  explicit Tracker(TrackerOptions options = {}) : options_(std::move(options)) {}
 
   /// Folds in one scan's detections. The tracks, in order of birth, valid until the next call;
   /// `Track::detection` is an index into `detections`.
