@@ -36,7 +36,7 @@ void BeamGrid::fill(const Scan& scan) {
   entries_.resize(scan.returns.size());
   for (std::size_t i = 0; i < scan.returns.size(); ++i) {
     const auto [column, layer] = cell_of(scan.returns[i]);
-    auto& head = heads_[static_cast<std::size_t>(layer * columns_ + column)];
+    auto& head = heads_[place_of(layer, column)];
     entries_[i] = {range_of(scan.returns[i]), head};
     head = static_cast<std::int32_t>(i);
   }
@@ -69,7 +69,7 @@ void BeamGrid::for_neighbours(Cell cell, bool own_cell, Visit&& visit) const {
         column += column < 0 ? columns_ : -columns_;
       }
       if (!own_cell && d == 0 && layer == cell.layer) continue;
-      std::int32_t i = heads_[static_cast<std::size_t>(layer * columns_ + column)];
+      std::int32_t i = heads_[place_of(layer, column)];
       for (; i >= 0; i = entries_[static_cast<std::size_t>(i)].next) {
         visit(entries_[static_cast<std::size_t>(i)].range_m, static_cast<std::size_t>(i));
       }
@@ -78,7 +78,9 @@ void BeamGrid::for_neighbours(Cell cell, bool own_cell, Visit&& visit) const {
 }
 
 const Scan& SpatioTemporalFilter::operator()(const Scan& scan, const Pose3& world_from_sensor) {
-  if (options_.outliers == OutlierMethod::kNone) return scan;
+  if (options_.outliers == OutlierMethod::kNone) {
+    return scan;  // NOLINT(bugprone-return-const-ref-from-parameter): as the header says
+  }
   Before& last = before(scan);
   const Duration gap = scan.stamp - last.stamp;
   if (gap <= Duration::zero() || gap > kLongestGap) last.grid.clear();

@@ -36,6 +36,12 @@ class BeamGrid {
   };
   std::vector<std::int32_t> heads_;  ///< of each cell, layer by layer
   std::vector<Entry> entries_;       ///< one a return
+  /// Where a cell's list starts in `heads_`.
+  [[nodiscard]] std::size_t place_of(int layer, int column) const {
+    return static_cast<std::size_t>(layer) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(column);
+  }
+
   int columns_ = 0;
   int layers_ = 0;
   bool full_circle_ = false;

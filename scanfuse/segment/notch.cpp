@@ -99,7 +99,9 @@ void NotchCutter::find_notches(double sigma_m) {
 
 const Clusters& NotchCutter::operator()(const VirtualScan& scan, const Clusters& clusters,
                                         double notch_m, int min_points) {
-  if (notch_m <= 0) return clusters;
+  if (notch_m <= 0) {
+    return clusters;  // NOLINT(bugprone-return-const-ref-from-parameter): as the header says
+  }
   notch_m_ = notch_m;
   labels_.assign(scan.points.size(), Gatherer::kNoise);
   for (std::size_t k = 0; k < clusters.size(); ++k) {

@@ -60,7 +60,9 @@ const Clusters& ClusterJoiner::operator()(const VirtualScan& scan, const Cluster
                                           std::span<const Expected> expected) {
   make_room(scan.points.size(), clusters.size(), expected.size());
   expected_of_.assign(clusters.size(), -1);
-  if (options_.method == JoinMethod::kNone || clusters.size() == 0) return clusters;
+  if (options_.method == JoinMethod::kNone || clusters.size() == 0) {
+    return clusters;  // NOLINT(bugprone-return-const-ref-from-parameter): as the header says
+  }
   sets_.reset(clusters.size());
   any_ = false;
   look(scan, clusters);
@@ -72,7 +74,7 @@ const Clusters& ClusterJoiner::operator()(const VirtualScan& scan, const Cluster
   }
   if (any_) return gather(clusters);
   for (std::size_t k = 0; k < clusters.size(); ++k) expected_of_[k] = pieces_[k].expected;
-  return clusters;
+  return clusters;  // NOLINT(bugprone-return-const-ref-from-parameter): as the header says
 }
 
 /// Joins are rare: memory must not wait for the first one.
@@ -156,7 +158,8 @@ std::size_t ClusterJoiner::join_inside(const VirtualScan& scan, const Clusters& 
                                        std::int32_t number) {
   std::size_t largest = clusters.size(), points = 0;
   for (std::size_t k = 0; k < clusters.size(); ++k) {
-    const bool mostly_inside = inside_[k] * 10 >= std::ssize(clusters[k]) * 8 && inside_[k] > 0;
+    const auto inside = static_cast<std::size_t>(inside_[k]);
+    const bool mostly_inside = inside * 10 >= clusters[k].size() * 8 && inside > 0;
     inside_[k] = 0;
     if (!mostly_inside || pieces_[k].expected >= 0) continue;
     pieces_[k].expected = number;
