@@ -59,20 +59,32 @@ BeamGrid::Cell BeamGrid::cell_at(float x_m, float y_m, int layer) const {
 }
 
 template <class Visit>
+bool BeamGrid::visit_cell(int layer, int column, Visit& visit) const {
+  if (column < 0 || column >= columns_) {
+    if (!full_circle_ || columns_ <= 2 * kBeams) return true;
+    column += column < 0 ? columns_ : -columns_;
+  }
+  std::int32_t i = heads_[place_of(layer, column)];
+  for (; i >= 0; i = entries_[static_cast<std::size_t>(i)].next) {
+    if (!visit(entries_[static_cast<std::size_t>(i)].range_m, static_cast<std::size_t>(i))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+template <class Visit>
 void BeamGrid::for_neighbours(Cell cell, bool own_cell, Visit&& visit) const {
-  const int lowest = std::max(cell.layer - 1, 0), highest = std::min(cell.layer + 1, layers_ - 1);
-  for (int layer = lowest; layer <= highest; ++layer) {
-    for (int d = -kBeams; d <= kBeams; ++d) {
-      int column = cell.column + d;
-      if (column < 0 || column >= columns_) {
-        if (!full_circle_ || columns_ <= 2 * kBeams) continue;
-        column += column < 0 ? columns_ : -columns_;
-      }
-      if (!own_cell && d == 0 && layer == cell.layer) continue;
-      std::int32_t i = heads_[place_of(layer, column)];
-      for (; i >= 0; i = entries_[static_cast<std::size_t>(i)].next) {
-        visit(entries_[static_cast<std::size_t>(i)].range_m, static_cast<std::size_t>(i));
-      }
+  constexpr int kNearestFirst[] = {-1, 1, -2, 2};
+  if (own_cell && !visit_cell(cell.layer, cell.column, visit)) return;
+  for (const int d : kNearestFirst) {
+    if (!visit_cell(cell.layer, cell.column + d, visit)) return;
+  }
+  for (const int layer : {cell.layer - 1, cell.layer + 1}) {
+    if (layer < 0 || layer >= layers_) continue;
+    if (!visit_cell(layer, cell.column, visit)) return;
+    for (const int d : kNearestFirst) {
+      if (!visit_cell(layer, cell.column + d, visit)) return;
     }
   }
 }
@@ -137,6 +149,7 @@ bool SpatioTemporalFilter::lies_on_line(const Scan& scan, std::size_t i) const {
     if (other.layer == cell.layer && std::abs(d) <= kBeams && range > 0) {
       inverse[d + kBeams] = 1 / static_cast<double>(range);
     }
+    return true;
   });
   const double u = 1 / static_cast<double>(range_of(scan.returns[i]));
   const auto fits = [&](double a, double b, double c) {  // a, b, c one beam apart
@@ -163,14 +176,17 @@ void SpatioTemporalFilter::keep_supported(const Scan& scan, const Before& before
     int found = 0;
     grid_.for_neighbours(grid_.cell_of(r), false, [&](float other, std::size_t) {
       found += std::abs(other - range) <= reach;
+      return found < wanted;
     });
     if (found < wanted && (found > 0 || range > relaxed) && !before.grid.empty()) {
       const Eigen::Vector3f p = turn * Eigen::Vector3f(r.x_m, r.y_m, r.z_m) + shift;
       const float then = std::hypot(p.x(), p.y());
       bool seen = false;
-      before.grid.for_neighbours(
-          before.grid.cell_at(p.x(), p.y(), r.layer), true,
-          [&](float other, std::size_t) { seen |= std::abs(other - then) <= reach; });
+      before.grid.for_neighbours(before.grid.cell_at(p.x(), p.y(), r.layer), true,
+                                 [&](float other, std::size_t) {
+                                   seen = std::abs(other - then) <= reach;
+                                   return !seen;
+                                 });
       found += seen;
     }
     if (found >= wanted || lies_on_line(scan, i)) clean_.returns.push_back(r);
@@ -194,7 +210,10 @@ void SpatioTemporalFilter::replace_by_median(const Scan& scan, Before& before,
   }
   for (const Return& r : scan.returns) {
     window_.clear();
-    const auto take = [&](float range, std::size_t) { window_.push_back(range); };
+    const auto take = [&](float range, std::size_t) {
+      window_.push_back(range);
+      return true;
+    };
     grid_.for_neighbours(grid_.cell_of(r), true, take);
     if (!then->empty()) {
       auto cell = grid_.cell_of(r);

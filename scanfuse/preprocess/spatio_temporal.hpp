@@ -24,12 +24,14 @@ class BeamGrid {
   [[nodiscard]] bool empty() const { return columns_ == 0; }
   [[nodiscard]] Cell cell_of(const Return& r) const;
   [[nodiscard]] Cell cell_at(float x_m, float y_m, int layer) const;
-  /// Calls visit(range_m, index) for all returns within +-1 layer, +-2 columns; `own_cell` false
-  /// leaves out the cell itself.
+  /// Calls visit(range_m, index) for the returns within +-1 layer, +-2 columns, those of its own
+  /// layer first, until it answers false; `own_cell` false leaves out the cell itself.
   template <class Visit>
   void for_neighbours(Cell cell, bool own_cell, Visit&& visit) const;
 
  private:
+  template <class Visit>
+  bool visit_cell(int layer, int column, Visit& visit) const;
   struct Entry {
     float range_m = 0;
     std::int32_t next = -1;
