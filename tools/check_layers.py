@@ -6,7 +6,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 STAGES = {"preprocess", "segment", "shape", "classify", "estimate", "associate", "track",
-          "evaluate", "simulate", "io", "report"}
+          "triangulate", "evaluate", "simulate", "io", "report"}
 LOW = {"core", "geometry", "types"}
 MAY_USE = {
     "core": set(),
@@ -17,6 +17,7 @@ MAY_USE = {
 }
 # The written exceptions.
 MAY_USE["track"] |= {"estimate", "associate"}
+MAY_USE["triangulate"] |= {"estimate", "associate"}
 MAY_USE["simulate"] |= {"estimate", "shape"}
 PUBLIC_LIBRARIES = ("Eigen/", "tl/expected.hpp", "fmt/")
 

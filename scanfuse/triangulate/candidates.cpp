@@ -1,0 +1,285 @@
+#include "scanfuse/triangulate/candidates.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <numeric>
+
+#include "scanfuse/core/parallel.hpp"
+#include "scanfuse/estimate/consistency.hpp"
+#include "scanfuse/triangulate/closest_points.hpp"
+#include "scanfuse/triangulate/epipolar_index.hpp"
+
+namespace scanfuse::triangulate {
+namespace {
+
+constexpr double kSlack = 1.2;  // first gates are linear: what passes is judged again
+constexpr double kLeastParallax = 1.5;
+
+/// chi-square quantiles by degrees of freedom, 0 for none.
+class Gate {
+ public:
+  Gate(double probability, std::size_t sensors) : limits_(2 * sensors + 2, 0) {
+    for (std::size_t dof = 1; dof < limits_.size(); ++dof) {
+      limits_[dof] = estimate::chi_square_quantile(probability, static_cast<std::int64_t>(dof));
+    }
+  }
+  [[nodiscard]] double of(int dof) const { return limits_[static_cast<std::size_t>(dof)]; }
+
+ private:
+  std::vector<double> limits_;
+};
+
+/// One sensor's lines of a scan and where they stand in it.
+struct SensorLines {
+  std::vector<LineOfSight> lines;
+  std::vector<std::int32_t> places;
+  AzimuthIndex by_azimuth;
+  Eigen::Vector3d origin_m = Eigen::Vector3d::Zero();
+  double widest_rad = 0;  ///< the largest sigma among them
+};
+
+/// Everything about a scan that growing a hypothesis looks at.
+struct Search {
+  const PassiveScene& scene;
+  const ScenePrior& prior;
+  const Cost& cost;
+  std::vector<SensorLines> sensors;
+  std::vector<std::vector<EpipolarIndex>> pairs;  ///< [a][b - a - 1]
+  Gate gate;
+  double sigmas = 0;  ///< of a pair's miss
+  std::int64_t most = 0;
+  std::atomic<std::int64_t> found{0};
+};
+
+double weight_of(const Search& search, const Hypothesis& h) {
+  return std::visit([&](const auto& policy) { return policy(h, search.scene, search.prior); },
+                    search.cost);
+}
+
+/// Grows hypotheses from one line of sight: a partner, then sensor after sensor.
+class Grower {
+ public:
+  Grower(Search& search, Candidates& out) : search_(search), out_(out) {}
+
+  void grow_from(std::size_t sensor, std::size_t line) {
+    const SensorLines& first = search_.sensors[sensor];
+    for (partner_ = sensor + 1; partner_ < search_.sensors.size(); ++partner_) {
+      const SensorLines& second = search_.sensors[partner_];
+      search_.pairs[sensor][partner_ - sensor - 1].for_partners(
+          first.lines[line], search_.sigmas, [&](std::int32_t j) {
+            ++out_.tried;
+            const auto place = static_cast<std::size_t>(j);
+            const auto met = meeting(first.lines[line], second.lines[place]);
+            if (!met) return;
+            lines_ = {first.lines[line], second.lines[place]};
+            members_ = {first.places[line], second.places[place]};
+            take(met->middle_m, sensor + 1);
+          });
+    }
+  }
+
+ private:
+  /// Nothing for lines that miss each other, or are so nearly parallel that their noise leaves the
+  /// range open.
+  [[nodiscard]] std::optional<ClosestPoints> meeting(const LineOfSight& a,
+                                                     const LineOfSight& b) const {
+    const double blur = a.sigma_left_rad + b.sigma_left_rad + a.sigma_up_rad + b.sigma_up_rad;
+    if (a.direction.cross(b.direction).norm() < kLeastParallax * blur) return std::nullopt;
+    auto met = closest_points(a, b);
+    if (met && met->sigmas_apart > kSlack * search_.sigmas) met.reset();
+    return met;
+  }
+
+  /// Locates what lines_ holds, keeps it, and grows it by the sensors from `next` on.
+  void take(const Eigen::Vector3d& start_m, std::size_t next) {
+    if (search_.found.load(std::memory_order_relaxed) > search_.most) return;
+    const auto at = most_likely(lines_, start_m, search_.prior.height());
+    if (!at || at->chi2 > search_.gate.of(degrees_of_freedom())) return;
+    const double weight = weight_of(search_, {lines_, *at});
+    if (weight > 0) keep(weight);
+    for (std::size_t c = next; c < search_.sensors.size(); ++c) {
+      if (c != partner_) grow_by(c, *at);
+    }
+  }
+
+  /// Before the partner come only lines that could not be a partner themselves: those parallel to
+  /// the first. So each hypothesis is found once.
+  void grow_by(std::size_t sensor, const Location& at) {
+    const SensorLines& next = search_.sensors[sensor];
+    const double range = (at.position_m - next.origin_m).norm();
+    const double blur = std::sqrt(at.covariance_m2.trace()) / std::max(range, 1e-6);
+    const double reach = kSlack * std::sqrt(search_.gate.of(2)) * (next.widest_rad + blur);
+    next.by_azimuth.for_near(at.position_m, reach, [&](std::int32_t j) {
+      const LineOfSight& line = next.lines[static_cast<std::size_t>(j)];
+      if (!agrees(line, at)) return;
+      if (sensor < partner_ && meeting(lines_.front(), line)) return;
+      const auto place = std::upper_bound(
+          lines_.begin(), lines_.end(), line.sensor,
+          [](std::int32_t s, const LineOfSight& other) { return s < other.sensor; });
+      const auto slot = place - lines_.begin();
+      lines_.insert(place, line);
+      members_.insert(members_.begin() + slot, next.places[static_cast<std::size_t>(j)]);
+      take(at.position_m, sensor + 1);
+      lines_.erase(lines_.begin() + slot);
+      members_.erase(members_.begin() + slot);
+    });
+  }
+
+  /// d' (R + J P J')^-1 d within the gate.
+  [[nodiscard]] bool agrees(const LineOfSight& line, const Location& at) const {
+    const auto seen = sight(line, at.position_m);
+    if (!seen) return false;
+    Eigen::Matrix2d spread =
+        seen->jacobian_rad_per_m * at.covariance_m2 * seen->jacobian_rad_per_m.transpose();
+    spread(0, 0) += line.sigma_left_rad * line.sigma_left_rad;
+    spread(1, 1) += line.tells_elevation() ? line.sigma_up_rad * line.sigma_up_rad : 1;
+    const Eigen::Vector2d& d = seen->offset_rad;
+    const double distance = (d.x() * d.x() * spread(1, 1) - 2 * d.x() * d.y() * spread(0, 1) +
+                             d.y() * d.y() * spread(0, 0)) /
+                            spread.determinant();
+    return distance <= kSlack * search_.gate.of(line.dimensions());
+  }
+
+  void keep(double weight) {
+    out_.members.insert(out_.members.end(), members_.begin(), members_.end());
+    out_.starts.push_back(out_.members.size());
+    out_.weights.push_back(weight);
+    search_.found.fetch_add(1, std::memory_order_relaxed);
+  }
+
+  [[nodiscard]] int degrees_of_freedom() const {
+    int measured = search_.prior.flat ? 1 : 0;
+    for (const LineOfSight& line : lines_) measured += line.dimensions();
+    return std::max(measured - 3, 1);
+  }
+
+  Search& search_;
+  Candidates& out_;
+  std::vector<LineOfSight> lines_;
+  std::vector<std::int32_t> members_;
+  std::size_t partner_ = 0;
+};
+
+std::vector<SensorLines> by_sensor(const BearingScan& scan, const PassiveScene& scene) {
+  std::vector<SensorLines> sensors(scene.sensors.size());
+  for (std::size_t i = 0; i < scan.bearings.size(); ++i) {
+    const Bearing& bearing = scan.bearings[i];
+    SensorLines& of = sensors[static_cast<std::size_t>(bearing.sensor)];
+    of.lines.push_back(
+        line_of_sight(scene.sensors[static_cast<std::size_t>(bearing.sensor)], bearing));
+    of.places.push_back(static_cast<std::int32_t>(i));
+    of.widest_rad =
+        std::max({of.widest_rad, of.lines.back().sigma_left_rad, of.lines.back().sigma_up_rad});
+  }
+  for (std::size_t s = 0; s < sensors.size(); ++s) {
+    sensors[s].origin_m = scene.sensors[s].world_from_sensor.translation_m;
+    sensors[s].by_azimuth = AzimuthIndex(scene.sensors[s], sensors[s].lines);
+  }
+  return sensors;
+}
+
+/// All hypotheses at one gate; more than search.most: how many they are is all that can be used.
+Candidates grow_all(Search& search, int threads) {
+  constexpr std::size_t kChunk = 32;
+  std::vector<std::pair<std::size_t, std::size_t>> firsts;
+  for (std::size_t s = 0; s + 1 < search.sensors.size(); ++s) {
+    for (std::size_t i = 0; i < search.sensors[s].lines.size(); ++i) firsts.emplace_back(s, i);
+  }
+  std::vector<Candidates> parts((firsts.size() + kChunk - 1) / kChunk);
+  parallel_for(parts.size(), threads, [&](std::size_t part) {
+    Grower grower(search, parts[part]);
+    const std::size_t end = std::min(firsts.size(), (part + 1) * kChunk);
+    for (std::size_t k = part * kChunk; k < end; ++k) {
+      grower.grow_from(firsts[k].first, firsts[k].second);
+    }
+  });
+  Candidates all;
+  for (const Candidates& part : parts) {
+    const std::size_t base = all.members.size();
+    all.members.insert(all.members.end(), part.members.begin(), part.members.end());
+    all.weights.insert(all.weights.end(), part.weights.begin(), part.weights.end());
+    for (std::size_t k = 1; k < part.starts.size(); ++k) {
+      all.starts.push_back(base + part.starts[k]);
+    }
+    all.tried += part.tried;
+  }
+  return all;
+}
+
+/// Without the columns that weigh no more than a column of theirs with one bearing less.
+Candidates without_dominated(const Candidates& all) {
+  std::vector<std::uint32_t> order(all.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const auto less = [&](std::span<const std::int32_t> a, std::span<const std::int32_t> b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+  };
+  std::sort(order.begin(), order.end(),
+            [&](auto a, auto b) { return less(all.column(a), all.column(b)); });
+  std::vector<std::int32_t> fewer;
+  const auto weight_without = [&](std::span<const std::int32_t> column, std::size_t left_out) {
+    fewer.assign(column.begin(), column.end());
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(left_out));
+    const auto at = std::lower_bound(order.begin(), order.end(), fewer,
+                                     [&](auto k, const auto& f) { return less(all.column(k), f); });
+    return at != order.end() && std::ranges::equal(all.column(*at), fewer) ? all.weights[*at] : 0;
+  };
+  Candidates kept;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const auto column = all.column(k);
+    bool dominated = false;
+    for (std::size_t m = 0; m < column.size() && column.size() > 2 && !dominated; ++m) {
+      dominated = weight_without(column, m) >= all.weights[k];
+    }
+    if (dominated) continue;
+    kept.members.insert(kept.members.end(), column.begin(), column.end());
+    kept.starts.push_back(kept.members.size());
+    kept.weights.push_back(all.weights[k]);
+  }
+  return kept;
+}
+
+}  // namespace
+
+std::vector<LineOfSight> lines_of_sight(const BearingScan& scan, const PassiveScene& scene) {
+  std::vector<LineOfSight> lines;
+  lines.reserve(scan.bearings.size());
+  for (const Bearing& bearing : scan.bearings) {
+    lines.push_back(
+        line_of_sight(scene.sensors[static_cast<std::size_t>(bearing.sensor)], bearing));
+  }
+  return lines;
+}
+
+Candidates find_candidates(const BearingScan& scan, const PassiveScene& scene,
+                           const ScenePrior& prior, const Cost& cost,
+                           const CandidateOptions& options, int threads) {
+  constexpr double kNarrower[] = {1, 0.99, 0.9, 0.5};
+  Candidates all;
+  for (const double share : kNarrower) {
+    const double probability = options.gate_probability * share;
+    Search search{scene, prior,
+                  cost,  by_sensor(scan, scene),
+                  {},    Gate(probability, scene.sensors.size()),
+                  0,     options.most_candidates,
+                  {}};
+    search.sigmas = std::sqrt(search.gate.of(1));
+    for (std::size_t a = 0; a < search.sensors.size(); ++a) {
+      auto& pairs = search.pairs.emplace_back();
+      for (std::size_t b = a + 1; b < search.sensors.size(); ++b) {
+        pairs.emplace_back(search.sensors[a].origin_m, search.sensors[b].lines);
+      }
+    }
+    all = grow_all(search, threads);
+    all.gate_probability = probability;
+    all.too_many = search.found > search.most;
+    if (!all.too_many) break;
+  }
+  if (all.too_many)
+    return {.tried = all.tried, .gate_probability = all.gate_probability, .too_many = true};
+  Candidates kept = without_dominated(all);
+  kept.gate_probability = all.gate_probability;
+  return kept;
+}
+
+}  // namespace scanfuse::triangulate
