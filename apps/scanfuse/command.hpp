@@ -36,6 +36,8 @@ void add_info(Tool& tool);
 void add_convert(Tool& tool);
 void add_track(Tool& tool);
 void add_simulate(Tool& tool);
+void add_simulate_passive(CLI::App& simulate, const Tool& tool);
+void add_associate(Tool& tool);
 void add_evaluate(Tool& tool);
 void add_bench(Tool& tool);
 void add_config(Tool& tool);

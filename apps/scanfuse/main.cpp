@@ -70,6 +70,7 @@ int run(int argc, char** argv) {
   add_convert(tool);
   add_track(tool);
   add_simulate(tool);
+  add_associate(tool);
   add_evaluate(tool);
   add_bench(tool);
   add_config(tool);

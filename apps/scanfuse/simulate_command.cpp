@@ -210,10 +210,9 @@ std::string simulate_help() {
 void add_simulate(Tool& tool) {
   auto command = std::make_shared<SimulateCommand>();
   auto* app = tool.app->add_subcommand("simulate", "Make a recording with truth from a scenario");
-  app->add_option("scenario", command->scenario, "Name of the scenario")->required();
+  app->add_option("scenario", command->scenario, "Name of the scenario");
   app->add_option("-o,--output", command->out,
-                  "Recording to write: .mcap, or .csv with .truth.csv and .ego.csv beside it")
-      ->required();
+                  "Recording to write: .mcap, or .csv with .truth.csv and .ego.csv beside it");
   app->add_option("--sensor", command->sensor,
                   "Lidar: lux, sick-lms111, hokuyo-utm30, rplidar-a2, vlp16, hdl32, hdl64")
       ->capture_default_str();
@@ -223,7 +222,13 @@ void add_simulate(Tool& tool) {
       ->capture_default_str();
   app->add_option("--set", command->sets, "Change a setting: simulate.NAME=VALUE");
   app->footer(simulate_help());
-  app->callback([command, tool] { *tool.exit_code = run_simulate(*command, *tool.common); });
+  add_simulate_passive(*app, tool);
+  app->callback([command, tool, app] {
+    if (app->got_subcommand("passive")) return;
+    if (command->scenario.empty()) throw CLI::RequiredError("scenario");
+    if (command->out.empty()) throw CLI::RequiredError("--output");
+    *tool.exit_code = run_simulate(*command, *tool.common);
+  });
 }
 
 }  // namespace scanfuse::app

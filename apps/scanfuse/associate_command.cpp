@@ -1,0 +1,245 @@
+#include <chrono>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "command.hpp"
+#include "scanfuse/io/atomic_file.hpp"
+#include "scanfuse/io/passive/passive.hpp"
+#include "scanfuse/triangulate/associate_scan.hpp"
+
+namespace scanfuse::app {
+namespace {
+
+using triangulate::AssociationOptions;
+using triangulate::ScanAssociation;
+
+struct AssociateArguments {
+  std::string bearings;
+  std::string sensors;
+  std::string out;
+  std::string assignments;
+  std::string cost = "evidence";
+  std::string solver = "default";
+  std::vector<std::string> sets;
+  double time_limit_s = 60;
+  bool json = false;
+};
+
+/// "associate.alpha=0.3" or "candidates.gate_probability=0.999".
+Result<void> change(AssociationOptions& options, std::string_view text) {
+  const auto equals = text.find('='), dot = text.find('.');
+  if (equals == text.npos || dot == text.npos || dot > equals) {
+    return fail(Error::Code::kMalformed, "--set {}: write section.option=value", text);
+  }
+  const auto section = text.substr(0, dot), value = text.substr(equals + 1);
+  const auto name = text.substr(dot + 1, equals - dot - 1);
+  if (section == "associate") return set_option(options, name, value);
+  if (section == "candidates") return set_option(options.candidates, name, value);
+  return fail(Error::Code::kNotFound, "--set {}: no section '{}'; there are associate, candidates",
+              text, section);
+}
+
+Result<AssociationOptions> association_options(const AssociateArguments& arguments) {
+  AssociationOptions options;
+  options.time_limit_s = arguments.time_limit_s;
+  const std::string solver = arguments.solver == "default" ? "price_and_branch" : arguments.solver;
+  for (const auto& [name, value] : {std::pair{"cost", arguments.cost}, {"solver", solver}}) {
+    if (auto done = set_option(options, name, value); !done) return tl::unexpected(done.error());
+  }
+  for (const std::string& set : arguments.sets) {
+    if (auto done = change(options, set); !done) return tl::unexpected(done.error());
+  }
+  return options;
+}
+
+/// The files that grow scan after scan.
+class AssociationOutput {
+ public:
+  [[nodiscard]] static Result<AssociationOutput> open(const AssociateArguments& arguments) {
+    AssociationOutput output;
+    if (auto done = output.start(output.fixes_, arguments.out, io::fix_header()); !done) {
+      return tl::unexpected(done.error());
+    }
+    if (auto done =
+            output.start(output.assignments_, arguments.assignments, io::assignment_header());
+        !done) {
+      return tl::unexpected(done.error());
+    }
+    return output;
+  }
+
+  Result<void> write(const BearingScan& scan, const ScanAssociation& found,
+                     const PassiveScene& scene) {
+    if (fixes_) {
+      auto wrote = fixes_->write(io::fix_rows(scan, found.fixes, scene));
+      if (!wrote) return wrote;
+    }
+    if (!assignments_) return {};
+    return assignments_->write(io::assignment_rows(scan, found.target_of_bearing, scene));
+  }
+
+  Result<void> finish() {
+    for (auto* file : {&fixes_, &assignments_}) {
+      if (!*file) continue;
+      if (auto done = (*file)->commit(); !done) return done;
+    }
+    return {};
+  }
+
+ private:
+  Result<void> start(std::optional<io::AtomicFile>& file, const std::string& path,
+                     const std::string& header) {
+    if (path.empty()) return {};
+    auto created = io::AtomicFile::create(path);
+    if (!created) return tl::unexpected(created.error());
+    file.emplace(std::move(*created));
+    return file->write(header);
+  }
+
+  std::optional<io::AtomicFile> fixes_, assignments_;
+};
+
+nlohmann::json as_json(const BearingScan& scan, const ScanAssociation& found, double seconds) {
+  return {{"scan", scan.scan},
+          {"targets", found.fixes.size()},
+          {"primal", found.solution.primal},
+          {"dual", found.solution.dual},
+          {"gap", found.solution.gap()},
+          {"proved", found.solution.proved},
+          {"columns", found.packing.columns()},
+          {"components", found.solution.components.size()},
+          {"seconds", seconds}};
+}
+
+struct Totals {
+  std::int64_t scans = 0;
+  std::size_t bearings = 0;
+  std::size_t targets = 0;
+  std::size_t clutter = 0;
+  std::int64_t proved = 0;
+  double worst_gap = 0;
+};
+
+void print_totals(const Totals& totals, const AssociateArguments& arguments) {
+  fmt::print("{}\n", arguments.bearings);
+  fmt::print("  {:<18} {}\n", "scans", totals.scans);
+  fmt::print("  {:<18} {}\n", "bearings", totals.bearings);
+  fmt::print("  {:<18} {}\n", "targets", totals.targets);
+  fmt::print("  {:<18} {}\n", "left as clutter", totals.clutter);
+  fmt::print("  {:<18} {} of {} scans, largest gap {:.3g}\n", "proved optimal", totals.proved,
+             totals.scans, totals.worst_gap);
+  for (const auto& path : {arguments.out, arguments.assignments}) {
+    if (!path.empty()) fmt::print("  {:<18} {}\n", "wrote", path);
+  }
+}
+
+/// What was guessed or cut, for the user to know.
+void note_oddities(const BearingScan& scan, const ScanAssociation& found,
+                   const AssociationOptions& options, Diagnostics& diagnostics) {
+  const std::string where = fmt::format("scan {}", scan.scan);
+  if (found.prior.volume_estimated) {
+    diagnostics.note("volume_m not given, estimated from the bearings", where);
+  }
+  if (found.prior.targets_estimated) {
+    diagnostics.note("expected_targets not given, estimated from the bearings", where);
+  }
+  if (found.gate_probability < options.candidates.gate_probability) {
+    diagnostics.note("too many hypotheses, gate narrowed", where);
+  }
+  if (found.solution.diagnostics.out_of_time) diagnostics.note("solver out of time", where);
+}
+
+int run_associate(const AssociateArguments& arguments, const CommonOptions& common) {
+  catch_interrupts();
+  const auto options = association_options(arguments);
+  if (!options) return report_error(options.error());
+  for (const auto& out : {arguments.out, arguments.assignments}) {
+    for (const auto& in : {arguments.bearings, arguments.sensors}) {
+      if (auto fine = refuse_to_replace(in, out); !fine) return report_error(fine.error());
+    }
+  }
+  const auto scene = io::read_sensors(arguments.sensors);
+  if (!scene) return report_error(scene.error());
+  Diagnostics diagnostics;
+  const auto scans = io::read_bearings(arguments.bearings, *scene, &diagnostics);
+  if (!scans) return report_error(scans.error());
+  auto output = AssociationOutput::open(arguments);
+  if (!output) return report_error(output.error());
+
+  Progress progress("associating", common.quiet);
+  nlohmann::json rows = nlohmann::json::array();
+  Totals totals;
+  for (const BearingScan& scan : *scans) {
+    if (interrupted) break;
+    const auto start = std::chrono::steady_clock::now();
+    const auto found = triangulate::associate_scan(scan, *scene, *options, common.threads);
+    if (!found) return report_error(found.error());
+    const double seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    note_oddities(scan, *found, *options, diagnostics);
+    if (auto wrote = output->write(scan, *found, *scene); !wrote) {
+      return report_error(wrote.error());
+    }
+    if (arguments.json) rows.push_back(as_json(scan, *found, seconds));
+    totals.bearings += scan.bearings.size();
+    totals.targets += found->fixes.size();
+    for (const auto target : found->target_of_bearing) totals.clutter += target < 0 ? 1 : 0;
+    totals.proved += found->solution.proved ? 1 : 0;
+    totals.worst_gap = std::max(totals.worst_gap, found->solution.gap());
+    progress.update(++totals.scans, std::ssize(*scans));
+  }
+  if (auto done = output->finish(); !done) return report_error(done.error());
+  if (arguments.json) {
+    fmt::print("{}\n", nlohmann::json{{"scans", rows}}.dump(2));
+  } else {
+    print_totals(totals, arguments);
+  }
+  const int code = report_diagnostics(diagnostics, common.quiet);
+  return interrupted ? kInterrupted : code;
+}
+
+std::string associate_help() {
+  std::string text = "Settings (--set SECTION.NAME=VALUE):\n";
+  const auto add = [&](const std::vector<OptionView>& views) {
+    for (const auto& view : views) {
+      text += fmt::format("  {:<28} {} [{}; {}]\n", view.section + "." + view.name, view.doc,
+                          view.fallback, view.range);
+    }
+  };
+  add(view_options("associate", AssociationOptions{}));
+  add(view_options("candidates", triangulate::CandidateOptions{}));
+  return text +
+         "Example:\n  scanfuse simulate passive --targets 20 -o bearings.csv --sensors-out "
+         "sensors.toml\n  scanfuse associate bearings.csv --sensors sensors.toml -o fixes.csv\n";
+}
+
+}  // namespace
+
+void add_associate(Tool& tool) {
+  auto arguments = std::make_shared<AssociateArguments>();
+  auto* app = tool.app->add_subcommand(
+      "associate", "Find which bearings of passive sensors belong to one target, and where it is");
+  app->add_option("bearings", arguments->bearings, "Bearings: a CSV table")->required();
+  app->add_option("--sensors", arguments->sensors, "Where the sensors are: a TOML file")
+      ->required();
+  app->add_option("-o,--output", arguments->out, "Fixes to write: .csv");
+  app->add_option("--assignments", arguments->assignments,
+                  "One row a bearing to write: which target it went to, or none");
+  app->add_option("--cost", arguments->cost,
+                  "evidence, classic, renyi_literal, renyi, kl or leave_one_out")
+      ->capture_default_str();
+  app->add_option("--solver", arguments->solver, "default, lagrangian or greedy")
+      ->capture_default_str();
+  app->add_option("--time-limit-s", arguments->time_limit_s,
+                  "Of a scan; then the best so far is given with its gap")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  app->add_option("--set", arguments->sets, "Change a setting: section.name=value")
+      ->allow_extra_args(false);
+  app->add_flag("--json", arguments->json, "One JSON object on stdout");
+  app->footer(associate_help());
+  app->callback([arguments, tool] { *tool.exit_code = run_associate(*arguments, *tool.common); });
+}
+
+}  // namespace scanfuse::app
