@@ -17,7 +17,12 @@ constexpr double kClosed = 1e-11;           ///< a gap of this share of the boun
 constexpr double kFirstTemperature = 0.02;  ///< of the mean weight of chosen columns
 constexpr double kCooling = 0.5;
 constexpr double kLastTemperature = 1e-6;  ///< of the first
-constexpr int kSweepsPerTemperature = 12;
+constexpr int kSweepsPerTemperature = 60;
+constexpr double kSettled = 0.02;  ///< prices that move less, in temperatures
+constexpr double kCold = 0.05;    ///< temperature times entropy, by gap: the prices are optimal
+constexpr double kReheat = 4;     ///< after a branch
+constexpr double kStalled = 0.98;  ///< of the gap before, or more: cooling does no good any more
+constexpr std::size_t kCandidates = 3;   ///< of local search, by row of the core
 constexpr double kWorthSplitting = 0.7;  ///< of the columns are kept, or fewer
 
 double total(std::span<const double> values) {
@@ -27,6 +32,13 @@ double total(std::span<const double> values) {
 /// Whether the simplex is quicker than further annealing.
 bool suits_simplex(const PackingCore& core) {
   return core.rows.size() <= 300 && core.columns.size() <= 12 * core.rows.size();
+}
+
+/// By how much prices exceed the linear optimum, per temperature.
+double entropy(std::span<const double> shares) {
+  double sum = 0;
+  for (const double x : shares) sum -= x > 1e-12 ? x * std::log(x) : 0;
+  return sum;
 }
 
 /// Moves a child's proof behind the others; the index of its claim, -1 for none.
@@ -49,6 +61,7 @@ struct Bracket {
   double threshold = 0;        ///< the most of best and what was asked for
   std::vector<double> shares;  ///< a fractional packing, empty where none is known
 
+  [[nodiscard]] double gap() const { return dual - threshold; }
   [[nodiscard]] bool closed() const { return dual - threshold <= kClosed * dual; }
 };
 
@@ -63,23 +76,21 @@ class Search {
     const double last = kLastTemperature * first_temperature(part.core, bracket.best);
     SoftPrices soft(part.core, bracket.prices);
     while (!bracket.closed() && !out_of_time()) {
+      const double gap = bracket.gap();
       const bool linear = suits_simplex(part.core);
-      if (linear) {
-        solve_by_simplex(part.core, bracket);
-      } else {
-        diagnostics_.sweeps += soft.sweep(temperature, kSweepsPerTemperature, 0.02);
-        offer_prices(part.core, bracket, soft.prices());
-        bracket.shares = soft.shares();
-        temperature *= kCooling;
-      }
+      const bool settled = linear ? solve_by_simplex(part.core, bracket)
+                                  : anneal(part.core, bracket, soft, temperature);
       improve(part.core, bracket);
       if (bracket.closed()) break;
       const auto kept = worth_keeping(part.core, bracket);
       const auto count = static_cast<double>(std::ranges::count(kept, 1));
-      if (linear || temperature < last) return set_aside(part.core, bracket, kept, 0, true);
+      const bool at_the_end = linear || temperature < last ||
+                              temperature * entropy(bracket.shares) < kCold * bracket.gap();
+      if (at_the_end) return set_aside(part.core, bracket, kept, kReheat * temperature, true);
       if (count < kWorthSplitting * static_cast<double>(kept.size())) {
         return set_aside(part.core, bracket, kept, temperature, false);
       }
+      if (settled || bracket.gap() > kStalled * gap) temperature *= kCooling;
     }
     return leaf(part.core, bracket);
   }
@@ -125,18 +136,29 @@ class Search {
     bracket.prices = std::move(feasible);
   }
 
-  void solve_by_simplex(const PackingCore& core, Bracket& bracket) {
+  /// Whether the prices have settled at this temperature.
+  bool anneal(const PackingCore& core, Bracket& bracket, SoftPrices& soft, double temperature) {
+    const int sweeps = soft.sweep(temperature, kSweepsPerTemperature, kSettled);
+    diagnostics_.sweeps += sweeps;
+    offer_prices(core, bracket, soft.prices());
+    bracket.shares = soft.shares();
+    return sweeps < kSweepsPerTemperature;
+  }
+
+  bool solve_by_simplex(const PackingCore& core, Bracket& bracket) {
     const int most_pivots = 2000 + 50 * static_cast<int>(core.rows.size());
     auto optimum = solve_linear(core, bracket.best.chosen, most_pivots);
     diagnostics_.pivots += optimum.pivots;
     offer_prices(core, bracket, optimum.prices);
     bracket.shares = std::move(optimum.shares);
+    return optimum.optimal;
   }
 
   /// Packings led by reduced costs and by the fractional packing.
   static void improve(const PackingCore& core, Bracket& bracket) {
     const auto costs = reduced_costs(core, bracket.prices);
     auto order = by_reduced_cost(costs, bracket.dual - bracket.threshold);
+    order.resize(std::min(order.size(), kCandidates * core.rows.size()));
     offer_packing(core, bracket, order);
     std::ranges::stable_sort(order, std::greater{},
                              [&](auto j) { return bracket.shares[static_cast<std::size_t>(j)]; });
@@ -196,7 +218,7 @@ class Search {
                           std::span<const char> kept, double temperature, bool may_branch) {
     auto parts = split_core(core, kept);
     const bool branch_now = may_branch && parts.size() == 1;
-    auto outcome = branch_now ? branch(core, std::move(parts[0]), bracket)
+    auto outcome = branch_now ? branch(core, std::move(parts[0]), bracket, temperature)
                               : solve_parts(core, std::move(parts), bracket, temperature);
     auto step = price_claim(core, bracket);
     step.threshold = bracket.threshold;
@@ -312,7 +334,8 @@ class Search {
   }
 
   /// Both answers to: is this column in the packing?
-  SearchOutcome branch(const PackingCore& core, PackingCore part, const Bracket& bracket) {
+  SearchOutcome branch(const PackingCore& core, PackingCore part, const Bracket& bracket,
+                       double temperature) {
     const auto here = part_of(core, std::move(part), bracket, 0);
     if (diagnostics_.branches >= limits_.max_branches || out_of_time()) {
       diagnostics_.out_of_nodes = diagnostics_.out_of_nodes || !diagnostics_.out_of_time;
@@ -323,9 +346,9 @@ class Search {
         std::max(diagnostics_.largest_core, static_cast<std::int64_t>(here.core.columns.size()));
     const auto column = most_divided(here.core, core, bracket.shares);
     Bracket inside = bracket_of(here, bracket.threshold);
-    auto with = take(here.core, column, inside);
+    auto with = take(here.core, column, inside, temperature);
     inside.threshold = std::max(inside.threshold, with.primal);
-    auto without = leave(here.core, column, inside);
+    auto without = leave(here.core, column, inside, temperature);
     return join_branches(here.core, column, std::move(with), std::move(without));
   }
 
@@ -346,7 +369,8 @@ class Search {
     return leaf(part.core, bracket);
   }
 
-  SearchOutcome take(const PackingCore& core, std::size_t column, Bracket bracket) {
+  SearchOutcome take(const PackingCore& core, std::size_t column, Bracket bracket,
+                     double temperature) {
     std::vector<char> blocked(core.rows.size(), 0);
     for (const auto row : core.column(column)) blocked[static_cast<std::size_t>(row)] = 1;
     std::vector<char> kept(core.columns.size(), 1);
@@ -356,17 +380,18 @@ class Search {
       }
     }
     bracket.threshold -= core.weights[column];
-    auto outcome = solve_parts(core, split_core(core, kept), bracket, 0);
+    auto outcome = solve_parts(core, split_core(core, kept), bracket, temperature);
     outcome.primal += core.weights[column];
     outcome.bound += core.weights[column];
     outcome.chosen.push_back(core.columns[column]);
     return outcome;
   }
 
-  SearchOutcome leave(const PackingCore& core, std::size_t column, const Bracket& bracket) {
+  SearchOutcome leave(const PackingCore& core, std::size_t column, const Bracket& bracket,
+                      double temperature) {
     std::vector<char> kept(core.columns.size(), 1);
     kept[column] = 0;
-    return solve_parts(core, split_core(core, kept), bracket, 0);
+    return solve_parts(core, split_core(core, kept), bracket, temperature);
   }
 
   static SearchOutcome join_branches(const PackingCore& core, std::size_t column,
