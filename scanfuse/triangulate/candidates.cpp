@@ -275,10 +275,10 @@ Candidates find_candidates(const BearingScan& scan, const PassiveScene& scene,
     all.too_many = search.found > search.most;
     if (!all.too_many) break;
   }
-  if (all.too_many)
-    return {.tried = all.tried, .gate_probability = all.gate_probability, .too_many = true};
-  Candidates kept = without_dominated(all);
+  Candidates kept = all.too_many ? Candidates{} : without_dominated(all);
+  kept.tried = all.tried;
   kept.gate_probability = all.gate_probability;
+  kept.too_many = all.too_many;
   return kept;
 }
 
