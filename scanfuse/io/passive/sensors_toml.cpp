@@ -110,7 +110,7 @@ Result<void> place_geodetic(const SensorTable& table, GeodeticFrame& frame, Pass
   const auto height = table.number("height_m", 0, -1e5, 1e8);
   if (!height) return tl::unexpected(height.error());
   if (!frame.local) frame.local.emplace(*latitude, *longitude, *height);
-  std::vector<double> turn;
+  std::vector<double> turn(9);  // filled only where it has room
   auto& t = sensor.world_from_sensor.translation_m;
   frame.local->Forward(*latitude, *longitude, *height, t.x(), t.y(), t.z(), turn);
   Eigen::Matrix3d rotation;
