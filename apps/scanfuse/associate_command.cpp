@@ -76,7 +76,8 @@ class AssociationOutput {
       if (!wrote) return wrote;
     }
     if (!assignments_) return {};
-    return assignments_->write(io::assignment_rows(scan, found.target_of_bearing, scene));
+    return assignments_->write(
+        io::assignment_rows(scan, found.target_of_bearing, found.probability_of_bearing, scene));
   }
 
   Result<void> finish() {

@@ -47,6 +47,11 @@ const std::vector<Benchmark>& benchmarks() {
        [](const BenchRequest& request) {
          return bench_detect(seeds_of(request, {1001, 40}), request.changes, request.threads);
        }},
+      {"passive",
+       "bearings joined into targets: costs, misses and clutter, positions, cameras, the solver",
+       [](const BenchRequest& request) -> Result<std::vector<BenchRow>> {
+         return bench_passive(seeds_of(request, {1, 2000}), request.threads);
+       }},
       {"speed",
        "time of one 4 x 440 scan through the chain and its stages; clustering to 1 M points",
        [](const BenchRequest& request) {

@@ -39,6 +39,16 @@ double ratio(std::int64_t part, std::int64_t whole) {
 
 }  // namespace
 
+AssociationScore& AssociationScore::operator+=(const AssociationScore& other) {
+  scenes += other.scenes;
+  targets += other.targets;
+  fixes += other.fixes;
+  exact += other.exact;
+  ghosts += other.ghosts;
+  squared_ospa += other.squared_ospa;
+  return *this;
+}
+
 double AssociationScore::exact_rate() const { return ratio(exact, targets); }
 double AssociationScore::f1() const { return ratio(2 * exact, targets + fixes); }
 double AssociationScore::ghosts_per_scene() const { return ratio(ghosts, scenes); }

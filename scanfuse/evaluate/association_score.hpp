@@ -19,6 +19,7 @@ struct AssociationScore {
   std::int64_t ghosts = 0;  ///< fixes of bearings of more than one origin, or of false alarms
   double squared_ospa = 0;  ///< sum over scenes
 
+  AssociationScore& operator+=(const AssociationScore& other);
   [[nodiscard]] double exact_rate() const;  ///< of the targets
   [[nodiscard]] double f1() const;          ///< of exact fixes
   [[nodiscard]] double ghosts_per_scene() const;

@@ -1,6 +1,7 @@
 #include "scanfuse/triangulate/associate_scan.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace scanfuse::triangulate {
@@ -48,6 +49,42 @@ Fix fix_of(std::span<const std::int32_t> column, const BearingScan& scan, const 
   return fix;
 }
 
+/// Existence and membership from the posterior of all hypotheses.
+Result<void> add_posterior(ScanAssociation& found, const AssociationOptions& options) {
+  const auto posterior = associate::packing_posterior(found.packing, found.solution,
+                                                      {.max_moves = options.posterior_moves});
+  if (!posterior) return tl::unexpected(posterior.error());
+  const auto& targets = found.target_of_bearing;
+  std::vector<double> existence(found.fixes.size(), 0);
+  std::vector<std::size_t> shared(found.fixes.size(), 0);
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    found.probability_of_bearing[i] = targets[i] < 0 ? posterior->clutter[i] : 0;
+  }
+  for (std::size_t k = 0; k < found.packing.columns(); ++k) {
+    const auto column = found.packing.column(k);
+    const auto target_of = [&](std::int32_t m) { return targets[static_cast<std::size_t>(m)]; };
+    for (const auto m : column) {
+      if (target_of(m) >= 0) ++shared[static_cast<std::size_t>(target_of(m))];
+    }
+    for (const auto m : column) {
+      if (target_of(m) < 0) continue;
+      const auto t = static_cast<std::size_t>(target_of(m));
+      if (2 * shared[t] > found.fixes[t].bearings.size()) {
+        found.probability_of_bearing[static_cast<std::size_t>(m)] += posterior->column[k];
+        existence[t] += posterior->column[k] / static_cast<double>(shared[t]);
+      }
+    }
+    for (const auto m : column) {
+      if (target_of(m) >= 0) shared[static_cast<std::size_t>(target_of(m))] = 0;
+    }
+  }
+  for (double& p : found.probability_of_bearing) p = std::min(p, 1.0);
+  for (std::size_t t = 0; t < existence.size(); ++t) {
+    found.fixes[t].existence_probability = std::min(existence[t], 1.0);
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<ScanAssociation> associate_scan(const BearingScan& scan, const PassiveScene& scene,
@@ -66,7 +103,10 @@ Result<ScanAssociation> associate_scan(const BearingScan& scan, const PassiveSce
   result.pairs_tried = candidates.tried;
   result.gate_probability = candidates.gate_probability;
   result.packing = packing_of(scan, std::move(candidates));
+  const auto start = std::chrono::steady_clock::now();
   auto solution = solve(result.packing, options, threads);
+  result.solver_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (!solution) return tl::unexpected(solution.error());
   result.solution = std::move(*solution);
   result.target_of_bearing.assign(scan.bearings.size(), -1);
@@ -83,6 +123,10 @@ Result<ScanAssociation> associate_scan(const BearingScan& scan, const PassiveSce
     for (const std::int32_t place : result.fixes[t].bearings) {
       result.target_of_bearing[static_cast<std::size_t>(place)] = static_cast<std::int64_t>(t);
     }
+  }
+  result.probability_of_bearing.assign(scan.bearings.size(), 1);
+  if (options.posterior) {
+    if (auto done = add_posterior(result, options); !done) return tl::unexpected(done.error());
   }
   return result;
 }

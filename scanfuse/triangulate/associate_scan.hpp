@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "scanfuse/associate/packing.hpp"
+#include "scanfuse/associate/packing_posterior.hpp"
 #include "scanfuse/triangulate/candidates.hpp"
 
 namespace scanfuse::triangulate {
@@ -13,15 +14,21 @@ struct AssociationOptions {
   double alpha = 0.5;
   associate::PackingMethod solver = associate::PackingMethod::kPriceAndBranch;
   double time_limit_s = 60;
+  bool posterior = true;
+  int posterior_moves = 20000;
   CandidateOptions candidates;
 
   static constexpr auto fields() {
     using O = AssociationOptions;
-    return std::tuple{Field{"cost", &O::cost, "what a hypothesis is worth"},
-                      Field{"alpha", &O::alpha, 0.01, 1.0, "order of Renyi's divergence"},
-                      Field{"solver", &O::solver, "how the best association is found"},
-                      Field{"time_limit_s", &O::time_limit_s, 0.0, 1e6,
-                            "of a scan's solver; then the best so far is returned with its gap"}};
+    return std::tuple{
+        Field{"cost", &O::cost, "what a hypothesis is worth"},
+        Field{"alpha", &O::alpha, 0.01, 1.0, "order of Renyi's divergence"},
+        Field{"solver", &O::solver, "how the best association is found"},
+        Field{"time_limit_s", &O::time_limit_s, 0.0, 1e6,
+              "of a scan's solver; then the best so far is returned with its gap"},
+        Field{"posterior", &O::posterior, "tell how probable each target and member is"},
+        Field{"posterior_moves", &O::posterior_moves, 1, 1000000000,
+              "steps of the exact count in one component; beyond, light rivals are left out"}};
   }
 };
 
@@ -30,13 +37,20 @@ struct AssociationOptions {
 struct ScanAssociation {
   std::vector<Fix> fixes;                       ///< ordered by their first bearing
   std::vector<std::int64_t> target_of_bearing;  ///< Fix::target, -1 for clutter
-  associate::Packing packing;                   ///< the hypotheses that were weighed
+  /// How probable that is, by bearing: that it is of that target, or clutter. 1 without
+  /// `posterior`.
+  std::vector<double> probability_of_bearing;
+  associate::Packing packing;  ///< the hypotheses that were weighed
   associate::PackingSolution solution;
   EstimatedPrior prior;
   std::int64_t pairs_tried = 0;
+  double solver_seconds = 0;    ///< wall time; the rest of the result does not depend on it
   double gate_probability = 0;  ///< narrower than asked for where there were too many hypotheses
 };
 
+/// A fix's existence_probability is the posterior of the hypotheses that hold more than half of its
+/// bearings (no two of them can be true at once); without `posterior` that of its own evidence.
+///
 /// The bearings must name sensors of the scene and hold finite angles: what the readers of io
 /// check. An error where there are more hypotheses than allowed at any gate. A scan with bearings
 /// of fewer than two sensors has no fixes.

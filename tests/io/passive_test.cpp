@@ -148,8 +148,9 @@ TEST(Fixes, HaveTheColumnsThatScriptsRelyOn) {
   EXPECT_EQ(fix_rows(scan, std::vector{fix}, *scene),
             "7,0.000000000,4,0,0,0,1,0,0,1,0,1,1,0,a+b\n");
   const std::vector<std::int64_t> targets{4, 4, -1};
-  EXPECT_EQ(assignment_header() + assignment_rows(scan, targets, *scene),
-            "scan,sensor,measurement,target\n7,a,0,4\n7,b,0,4\n7,a,1,\n");
+  const std::vector<double> probabilities{1, 0.5, 0.25};
+  EXPECT_EQ(assignment_header() + assignment_rows(scan, targets, probabilities, *scene),
+            "scan,sensor,measurement,target,probability\n7,a,0,4,1\n7,b,0,4,0.5\n7,a,1,,0.25\n");
 }
 
 }  // namespace

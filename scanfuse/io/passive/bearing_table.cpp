@@ -186,17 +186,19 @@ std::string fix_rows(const BearingScan& scan, std::span<const Fix> fixes,
   return rows;
 }
 
-std::string assignment_header() { return "scan,sensor,measurement,target\n"; }
+std::string assignment_header() { return "scan,sensor,measurement,target,probability\n"; }
 
 std::string assignment_rows(const BearingScan& scan,
                             std::span<const std::int64_t> target_of_bearing,
+                            std::span<const double> probability_of_bearing,
                             const PassiveScene& scene) {
   std::string rows;
   for (std::size_t i = 0; i < scan.bearings.size(); ++i) {
     const Bearing& b = scan.bearings[i];
-    rows += fmt::format("{},{},{},{}\n", scan.scan,
+    rows += fmt::format("{},{},{},{},{}\n", scan.scan,
                         scene.sensors[static_cast<std::size_t>(b.sensor)].name, b.measurement,
-                        target_of_bearing[i] >= 0 ? std::to_string(target_of_bearing[i]) : "");
+                        target_of_bearing[i] >= 0 ? std::to_string(target_of_bearing[i]) : "",
+                        print_number(probability_of_bearing[i]));
   }
   return rows;
 }

@@ -44,10 +44,12 @@ namespace scanfuse::io {
 [[nodiscard]] std::string fix_rows(const BearingScan& scan, std::span<const Fix> fixes,
                                    const PassiveScene& scene);
 
-/// `scan,sensor,measurement,target`: one row a bearing, target empty for clutter.
+/// `scan,sensor,measurement,target,probability`: one row a bearing, target empty for clutter; how
+/// probable that is.
 [[nodiscard]] std::string assignment_header();
 [[nodiscard]] std::string assignment_rows(const BearingScan& scan,
                                           std::span<const std::int64_t> target_of_bearing,
+                                          std::span<const double> probability_of_bearing,
                                           const PassiveScene& scene);
 
 }  // namespace scanfuse::io
