@@ -13,19 +13,13 @@
 namespace scanfuse::associate {
 namespace {
 
+using instances::solved;
 using Kind = ProofStep::Kind;
 
 /// Triangles joined to each other: proved by prices, splits and branches.
 Packing hard_packing(std::uint64_t seed) {
   RandomStream random(seed);
   return instances::triangles(8, random);
-}
-
-PackingSolution solved(const Packing& packing) {
-  const auto solution = PriceAndBranch{}(packing);
-  EXPECT_TRUE(solution);
-  EXPECT_TRUE(check_bound(packing, *solution));
-  return *solution;
 }
 
 /// The first step of a kind that meets a condition.

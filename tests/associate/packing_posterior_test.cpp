@@ -14,13 +14,8 @@
 namespace scanfuse::associate {
 namespace {
 
+using instances::solved;
 using instances::Weights;
-
-PackingSolution solved(const Packing& packing) {
-  const auto solution = PriceAndBranch{}(packing);
-  EXPECT_TRUE(solution);
-  return *solution;
-}
 
 /// Calls `visit` with every packing of columns of positive weight, the empty one too.
 void every_packing(const Packing& packing,

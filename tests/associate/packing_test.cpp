@@ -14,20 +14,11 @@
 namespace scanfuse::associate {
 namespace {
 
+using instances::solved;
 using instances::Weights;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-PackingSolution solved(const Packing& packing, int threads = 1) {
-  PriceAndBranch solver;
-  solver.options.threads = threads;
-  auto solution = solver(packing);
-  EXPECT_TRUE(solution) << solution.error().message;
-  const auto checked = check_bound(packing, *solution);
-  EXPECT_TRUE(checked) << checked.error().message;
-  return *solution;
-}
 
 /// Random packings of every kind of weights, 2 to 6 sets.
 std::vector<Packing> many(std::uint64_t stream, int per_kind, int columns) {
