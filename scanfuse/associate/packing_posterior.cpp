@@ -9,7 +9,6 @@
 #include "scanfuse/associate/packing_core.hpp"
 #include "scanfuse/associate/packing_frontier.hpp"
 #include "scanfuse/associate/packing_prices.hpp"
-#include "scanfuse/associate/packing_simplex.hpp"
 
 namespace scanfuse::associate {
 namespace {
@@ -18,15 +17,19 @@ constexpr double kCutShrinks = 0.7;  ///< a part too large for one cut is tried 
 constexpr double kLeastCut = 0.5;    ///< nats; smaller cuts keep the best packing and little else
 constexpr std::size_t kLeastStates = 300;
 
-/// Prices that are near the linear optimum, whatever solver made the solution.
+/// Prices that are near the linear optimum, whatever solver made the solution, and not at a corner
+/// of it: there, some rows of a column bear all of its price and others may stay free for nothing.
 std::vector<double> settled_prices(const PackingCore& core, double mean_weight) {
-  if (core.rows.size() <= 150 && core.columns.size() <= 2000) {
-    auto optimum = solve_linear(core, {}, 100 * static_cast<int>(core.rows.size()));
-    return feasible_prices(core, feasible_prices(core, std::move(optimum.prices)));
-  }
   SoftPrices soft(core, feasible_prices(core, even_prices(core)));
-  for (double share = 0.02; share > 1e-5; share /= 2) soft.sweep(share * mean_weight, 60, 0.02);
-  return feasible_prices(core, feasible_prices(core, soft.prices()));
+  for (double share = 0.02; share > 3e-4; share /= 2) soft.sweep(share * mean_weight, 60, 0.02);
+  auto prices = soft.prices();
+  for (std::size_t j = 0; j < core.columns.size(); ++j) {
+    const auto rows = core.column(j);
+    const double lift = -reduced_cost(core, prices, j) / static_cast<double>(rows.size());
+    if (lift <= 0) continue;
+    for (const auto row : rows) prices[static_cast<std::size_t>(row)] += lift;
+  }
+  return prices;
 }
 
 /// A core, its prices, and how much the solution's packing loses against them.
@@ -91,7 +94,8 @@ class Merger {
     std::vector<Total> sums;
     for (std::uint32_t t = 0; t < totals_.size(); ++t) {
       for (std::uint32_t k = 0; k < list.size(); ++k) {
-        if ((t + 1) * (k + 1) > count_) break;  // that many sums are at least as good
+        if ((t + std::size_t{1}) * (k + std::size_t{1}) > count_)
+          break;  // that many sums are at least as good
         sums.push_back({totals_[t].loss + list[k].loss, t, k});
       }
     }
@@ -183,7 +187,9 @@ PackingRanking ranking_of(const Packing& packing, const Attempt& attempt, bool e
   return ranking;
 }
 
-/// Adds up the packings of a part, with ever smaller cuts until the work is small enough.
+/// Adds up the packings of a part. Where that is too much work, columns of a reduced cost above a
+/// cut and states of a greater loss are left out, then those above a smaller cut. A state's loss is
+/// that of the best way into it: the sum over other ways, however many, is not cut.
 class Posterior {
  public:
   Posterior(const PackingSolution& solution, const PosteriorOptions& options,
@@ -272,7 +278,7 @@ Result<PackingRanking> best_packings(const Packing& packing, const PackingSoluti
     if (enough || most >= dual || !tried.exact) {
       return ranking_of(packing, tried, tried.exact);
     }
-    most = std::min(dual, 2 * most);
+    most = 2 * most < dual ? 2 * most : std::numeric_limits<double>::infinity();
   }
 }
 

@@ -44,17 +44,17 @@ struct PackingRanking {
                                                    const RankingOptions& options = {});
 
 struct PosteriorOptions {
-  int max_moves = 1000000;
+  int max_moves = 300000;
   double cut = 25;
 
   static constexpr auto fields() {
     using O = PosteriorOptions;
     return std::tuple{
         Field{"max_moves", &O::max_moves, 1, 1000000000,
-              "steps of the exact count in one component; beyond, light packings are left out"},
+              "steps of the exact count in one part; beyond, improbable columns are left out"},
         Field{"cut", &O::cut, 1.0, 1e6,
-              "where the exact count is too much: packings that are lighter than the best by more "
-              "are left out (nats), fewer where that is too much still"},
+              "where the exact count is too much: choices that lose more are left out (nats), "
+              "and more of them where that is too much still"},
     };
   }
 };
@@ -63,8 +63,9 @@ struct PosteriorOptions {
 struct PackingPosterior {
   std::vector<double> column;   ///< by column; 0 where the weight is not positive
   std::vector<double> clutter;  ///< by row: it is in no column
-  /// By component of the solution: packings this much lighter than the best were left out (nats);
-  /// infinity: none were, the probabilities are exact.
+  /// By component of the solution: somewhere in it choices were left out that make a packing
+  /// lighter by more than this (nats); infinity: none were, the probabilities are exact; 0: a
+  /// part was so large that its 100 best packings stand for all.
   std::vector<double> cut;
   std::vector<char> exact;  ///< by component
 };

@@ -2,32 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
+#include "scanfuse/associate/packing_bracket.hpp"
 #include "scanfuse/associate/packing_prices.hpp"
-#include "scanfuse/associate/packing_primal.hpp"
 #include "scanfuse/associate/packing_simplex.hpp"
 #include "scanfuse/core/parallel.hpp"
 
 namespace scanfuse::associate {
 namespace {
 
-constexpr double kClosed = 1e-11;           ///< a gap of this share of the bound is none
 constexpr double kFirstTemperature = 0.02;  ///< of the mean weight of chosen columns
 constexpr double kCooling = 0.5;
 constexpr double kLastTemperature = 1e-6;  ///< of the first
 constexpr int kSweepsPerTemperature = 60;
 constexpr double kSettled = 0.02;  ///< prices that move less, in temperatures
-constexpr double kCold = 0.05;    ///< temperature times entropy, by gap: the prices are optimal
-constexpr double kReheat = 4;     ///< after a branch
+constexpr double kCold = 0.05;     ///< temperature times entropy, by gap: the prices are optimal
+constexpr double kReheat = 4;      ///< after a branch
 constexpr double kStalled = 0.98;  ///< of the gap before, or more: cooling does no good any more
-constexpr std::size_t kCandidates = 3;   ///< of local search, by row of the core
 constexpr double kWorthSplitting = 0.7;  ///< of the columns are kept, or fewer
-
-double total(std::span<const double> values) {
-  return std::accumulate(values.begin(), values.end(), 0.0);
-}
 
 /// Whether the simplex is quicker than further annealing.
 bool suits_simplex(const PackingCore& core) {
@@ -53,24 +46,12 @@ std::int32_t append_proof(std::vector<ProofStep>& proof, std::vector<ProofStep> 
   return child.empty() ? -1 : static_cast<std::int32_t>(proof.size()) - 1;
 }
 
-/// Prices and a packing of a part, and how far apart they are.
-struct Bracket {
-  std::vector<double> prices;  ///< feasible
-  double dual = 0;
-  CorePacking best;
-  double threshold = 0;        ///< the most of best and what was asked for
-  std::vector<double> shares;  ///< a fractional packing, empty where none is known
-
-  [[nodiscard]] double gap() const { return dual - threshold; }
-  [[nodiscard]] bool closed() const { return dual - threshold <= kClosed * dual; }
-};
-
 class Search {
  public:
   explicit Search(const SearchLimits& limits) : limits_(limits) {}
 
   SearchOutcome solve(SearchPart part) {
-    Bracket bracket = open(part);
+    auto bracket = open_bracket(part.core, part.prices, part.start, part.threshold);
     double temperature = part.temperature;
     if (temperature == 0) temperature = first_temperature(part.core, bracket.best);
     const double last = kLastTemperature * first_temperature(part.core, bracket.best);
@@ -80,7 +61,7 @@ class Search {
       const bool linear = suits_simplex(part.core);
       const bool settled = linear ? solve_by_simplex(part.core, bracket)
                                   : anneal(part.core, bracket, soft, temperature);
-      improve(part.core, bracket);
+      bracket = with_packings(part.core, std::move(bracket));
       if (bracket.closed()) break;
       const auto kept = worth_keeping(part.core, bracket);
       const auto count = static_cast<double>(std::ranges::count(kept, 1));
@@ -112,35 +93,11 @@ class Search {
     return kFirstTemperature * weight;
   }
 
-  Bracket open(const SearchPart& part) {
-    Bracket bracket;
-    bracket.prices = part.prices.empty() ? even_prices(part.core) : part.prices;
-    bracket.prices = feasible_prices(part.core, std::move(bracket.prices));
-    bracket.dual = total(bracket.prices);
-    bracket.best.chosen = part.start;
-    for (const auto j : part.start) {
-      bracket.best.weight += part.core.weights[static_cast<std::size_t>(j)];
-    }
-    const auto greedy = greedy_packing(part.core, by_weight(part.core));
-    if (greedy.weight > bracket.best.weight) bracket.best = greedy;
-    bracket.threshold = std::max(part.threshold, bracket.best.weight);
-    return bracket;
-  }
-
-  static void offer_prices(const PackingCore& core, Bracket& bracket,
-                           const std::vector<double>& prices) {
-    auto feasible = feasible_prices(core, prices);
-    const double dual = total(feasible);
-    if (dual >= bracket.dual) return;
-    bracket.dual = dual;
-    bracket.prices = std::move(feasible);
-  }
-
   /// Whether the prices have settled at this temperature.
   bool anneal(const PackingCore& core, Bracket& bracket, SoftPrices& soft, double temperature) {
     const int sweeps = soft.sweep(temperature, kSweepsPerTemperature, kSettled);
     diagnostics_.sweeps += sweeps;
-    offer_prices(core, bracket, soft.prices());
+    bracket = with_prices(core, std::move(bracket), soft.prices());
     bracket.shares = soft.shares();
     return sweeps < kSweepsPerTemperature;
   }
@@ -149,38 +106,9 @@ class Search {
     const int most_pivots = 2000 + 50 * static_cast<int>(core.rows.size());
     auto optimum = solve_linear(core, bracket.best.chosen, most_pivots);
     diagnostics_.pivots += optimum.pivots;
-    offer_prices(core, bracket, optimum.prices);
+    bracket = with_prices(core, std::move(bracket), optimum.prices);
     bracket.shares = std::move(optimum.shares);
     return optimum.optimal;
-  }
-
-  /// Packings led by reduced costs and by the fractional packing.
-  static void improve(const PackingCore& core, Bracket& bracket) {
-    const auto costs = reduced_costs(core, bracket.prices);
-    auto order = by_reduced_cost(costs, bracket.dual - bracket.threshold);
-    order.resize(std::min(order.size(), kCandidates * core.rows.size()));
-    offer_packing(core, bracket, order);
-    std::ranges::stable_sort(order, std::greater{},
-                             [&](auto j) { return bracket.shares[static_cast<std::size_t>(j)]; });
-    offer_packing(core, bracket, order);
-  }
-
-  static void offer_packing(const PackingCore& core, Bracket& bracket,
-                            std::span<const std::int32_t> order) {
-    auto packing = improved_packing(core, greedy_packing(core, order), order);
-    if (packing.weight <= bracket.best.weight) return;
-    bracket.best = std::move(packing);
-    bracket.threshold = std::max(bracket.threshold, bracket.best.weight);
-  }
-
-  /// Columns that a packing better than the threshold may hold.
-  static std::vector<char> worth_keeping(const PackingCore& core, const Bracket& bracket) {
-    std::vector<char> kept(core.columns.size(), 0);
-    for (std::size_t j = 0; j < kept.size(); ++j) {
-      const double cost = reduced_cost(core, bracket.prices, j);
-      kept[j] = bracket.dual - cost > bracket.threshold ? 1 : 0;
-    }
-    return kept;
   }
 
   static ProofStep claim(ProofStep::Kind kind, const PackingCore& core) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -109,6 +111,17 @@ inline double by_brute_force(const Packing& packing, std::size_t from = 0,
     best = std::max(best, packing.weights[j] + by_brute_force(packing, j + 1, with));
   }
   return best;
+}
+
+/// By the default solver, and checked.
+inline PackingSolution solved(const Packing& packing, int threads = 1) {
+  PriceAndBranch solver;
+  solver.options.threads = threads;
+  auto solution = solver(packing);
+  EXPECT_TRUE(solution) << solution.error().message;
+  const auto checked = check_bound(packing, *solution);
+  EXPECT_TRUE(checked) << checked.error().message;
+  return *solution;
 }
 
 }  // namespace scanfuse::associate::instances
