@@ -16,6 +16,7 @@ struct EvaluateArguments {
   std::string truth_frame;
   std::string similarity = "centre";
   std::vector<double> region;
+  double view_deg = 180;
   bool skip_unlisted = false;
   bool json = false;
   evaluate::EvaluateOptions options;
@@ -76,6 +77,7 @@ Result<void> use_region(EvaluateArguments& arguments) {
 
 int run_evaluate(EvaluateArguments arguments, const CommonOptions& common) {
   if (auto region = use_region(arguments); !region) return report_error(region.error());
+  arguments.options.view_half_angle_rad = radians(arguments.view_deg);
   if (arguments.skip_unlisted) {
     arguments.options.unlisted_frames = evaluate::UnlistedFrames::kSkip;
   }
@@ -131,6 +133,13 @@ void add_evaluate_options(CLI::App& command, EvaluateArguments& a) {
   command.add_option("--region", a.region, "X0,X1,Y0,Y1: only what is inside counts, truth frame")
       ->delimiter(',')
       ->expected(4);
+  command
+      .add_option("--view-deg", a.view_deg,
+                  "Only what lies within so many degrees left or right of the ego's nose counts")
+      ->check(CLI::Range(0.0, 180.0))
+      ->capture_default_str();
+  command.add_option("--view-m", a.options.view_range_m, "Only what is nearer to the ego counts")
+      ->check(CLI::Range(0.0, 1e9));
   command.add_flag("--skip-unlisted", a.skip_unlisted,
                    "Leave out scans that no truth frame belongs to; else they are empty road");
   command.add_flag("--json", a.json, "One JSON object on stdout");

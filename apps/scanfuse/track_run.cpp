@@ -186,6 +186,23 @@ Result<TrackOutcome> run_track(const TrackRequest& request, const CommonOptions&
   return outcome;
 }
 
+Result<std::vector<StepResult>> track_steps(const TrackRequest& request) {
+  const auto options = resolve_options(request);
+  if (!options) return tl::unexpected(options.error());
+  auto feed = open_feed(request);
+  if (!feed) return tl::unexpected(feed.error());
+  pipeline::Perception perception(*options);
+  std::vector<StepResult> steps;
+  while (true) {
+    auto posed = feed->next();
+    if (!posed) return tl::unexpected(posed.error());
+    if (!*posed) return steps;
+    if (!is_wanted(request, (*posed)->scan.sensor)) continue;
+    steps.push_back(perception.step(**posed));
+    steps.back().detections.clear();
+  }
+}
+
 Result<TrackOutcome> run_track_on_detections(const TrackRequest& request,
                                              const CommonOptions& common) {
   const auto options = resolve_options(request);

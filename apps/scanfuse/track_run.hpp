@@ -52,6 +52,9 @@ struct TrackOutcome {
 [[nodiscard]] Result<TrackOutcome> run_track(const TrackRequest& request,
                                              const CommonOptions& common);
 
+/// The tracks of every scan, in memory; nothing is written.
+[[nodiscard]] Result<std::vector<StepResult>> track_steps(const TrackRequest& request);
+
 /// The same tracker on detections by any detector, from a table.
 [[nodiscard]] Result<TrackOutcome> run_track_on_detections(const TrackRequest& request,
                                                            const CommonOptions& common);
