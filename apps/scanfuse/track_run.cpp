@@ -203,13 +203,69 @@ Result<std::vector<StepResult>> track_steps(const TrackRequest& request) {
   }
 }
 
+namespace {
+
+/// Where detections are brought from the frame of the sensor: into the world and, if the results
+/// are asked for in the frame of the ego, back.
+class DetectionPlacer {
+ public:
+  [[nodiscard]] static Result<DetectionPlacer> create(const TrackRequest& request,
+                                                      const pipeline::PerceptionOptions& options) {
+    auto feed = feed_options(request);
+    if (!feed) return tl::unexpected(feed.error());
+    DetectionPlacer placer;
+    for (const auto& sample : feed->ego) placer.ego_.add(sample.stamp, sample.pose);
+    placer.mount_ = feed->mount.value_or(Pose3{});
+    placer.in_ego_ = options.pipeline.frame == pipeline::OutputFrame::kEgo;
+    return placer;
+  }
+
+  StepResult place(const io::DetectionFrame& frame, Diagnostics& diagnostics) const {
+    StepResult step;
+    step.stamp = frame.stamp;
+    step.frame = frame.frame;
+    step.sensor = frame.sensor;
+    step.ego_from_sensor = mount_;
+    if (const auto found = ego_.at(frame.stamp)) {
+      step.world_from_ego = found->pose;
+      if (found->extrapolated) {
+        diagnostics.note("ego pose extrapolated", fmt::format("frame {}", frame.frame));
+      }
+    }
+    const Pose2 world_from_sensor = (step.world_from_ego * mount_).planar();
+    step.detections.reserve(frame.detections.size());
+    for (const auto& detection : frame.detections) {
+      step.detections.push_back(pipeline::moved(detection, world_from_sensor));
+    }
+    return step;
+  }
+
+  void give_back(StepResult& step) const {
+    if (!in_ego_) return;
+    step.coordinate_frame = "ego";
+    const Pose2 ego_from_world = step.world_from_ego.planar().inverse();
+    for (auto& detection : step.detections) detection = pipeline::moved(detection, ego_from_world);
+    for (auto& track : step.tracks) track = pipeline::moved(track, ego_from_world);
+  }
+
+ private:
+  pipeline::PoseBuffer ego_;
+  Pose3 mount_;
+  bool in_ego_ = false;
+};
+
+}  // namespace
+
 Result<TrackOutcome> run_track_on_detections(const TrackRequest& request,
                                              const CommonOptions& common) {
   const auto options = resolve_options(request);
   if (!options) return tl::unexpected(options.error());
   Diagnostics diagnostics;
-  const auto frames = io::read_detections(request.input, &diagnostics);
+  const auto frames = io::read_detections(request.input, &diagnostics,
+                                          {request.calibration, request.frame_rate_hz});
   if (!frames) return tl::unexpected(frames.error());
+  const auto placer = DetectionPlacer::create(request, *options);
+  if (!placer) return tl::unexpected(placer.error());
   auto outputs = TrackOutputs::open(request);
   if (!outputs) return tl::unexpected(outputs.error());
   track::Tracker tracker(options->track);
@@ -217,14 +273,11 @@ Result<TrackOutcome> run_track_on_detections(const TrackRequest& request,
   Progress progress("tracking", common.quiet);
   for (const auto& frame : *frames) {
     if (interrupted) break;
-    StepResult step;
-    step.stamp = frame.stamp;
-    step.frame = frame.frame;
-    step.sensor = frame.sensor;
-    step.detections = frame.detections;
+    StepResult step = placer->place(frame, diagnostics);
     const auto before = std::chrono::steady_clock::now();
-    step.tracks = tracker.step(frame.stamp, frame.detections);
+    step.tracks = tracker.step(frame.stamp, step.detections);
     tally.add(step, 0, to_seconds(std::chrono::steady_clock::now() - before));
+    placer->give_back(step);
     if (auto done = outputs->write(step, Scan{}, nullptr, nullptr); !done) {
       return tl::unexpected(done.error());
     }

@@ -27,6 +27,8 @@ struct TrackRequest {
   std::string ego_topic;
   std::string ego_file;
   std::vector<double> mount;  ///< x, y, yaw
+  std::string calibration;    ///< of KITTI detections, or empty
+  double frame_rate_hz = 10;  ///< of KITTI detections
   bool paper_axes = false;
   bool json = false;
 };
@@ -55,7 +57,8 @@ struct TrackOutcome {
 /// The tracks of every scan, in memory; nothing is written.
 [[nodiscard]] Result<std::vector<StepResult>> track_steps(const TrackRequest& request);
 
-/// The same tracker on detections by any detector, from a table.
+/// The same tracker on detections by any detector, from a table or KITTI boxes. With --ego they
+/// stand in the frame of the sensor, else in one that does not move.
 [[nodiscard]] Result<TrackOutcome> run_track_on_detections(const TrackRequest& request,
                                                            const CommonOptions& common);
 
