@@ -64,6 +64,7 @@ int run(const TrackRequest& request, const CommonOptions& common) {
 
 void add_track(Tool& tool) {
   auto request = std::make_shared<TrackRequest>();
+  request->scoring.options.min_visible_points = 1;
   auto* app = tool.app->add_subcommand("track", "Detect and track objects in a recording");
   app->add_option("input", request->input,
                   "Recording (file or folder), points or detections in CSV, KITTI detections")
@@ -96,6 +97,11 @@ void add_track(Tool& tool) {
       ->capture_default_str();
   app->add_flag("--paper-axes", request->paper_axes,
                 "CSV points have x lateral, y forward, as in [Lu2018]");
+  app->add_option("--truth", request->truth.path,
+                  "Compare with this truth: a table, KITTI labels, a recording; else with what the "
+                  "input carries");
+  add_truth_options(*app, request->truth);
+  add_scoring_options(*app, request->scoring);
   app->add_flag("--json", request->json, "One JSON object on stdout");
   app->footer(
       "Examples:\n"

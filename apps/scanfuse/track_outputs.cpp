@@ -105,6 +105,11 @@ Result<void> TrackOutputs::write(const TruthFrame& truth) {
   return {};
 }
 
+void TrackOutputs::show(std::span<const TruthFrame> truth) {
+  if (!report_) return;
+  for (const auto& frame : truth) report_->add(frame);
+}
+
 Result<void> TrackOutputs::finish(const TrackRequest& request, const TrackOutcome& outcome,
                                   const pipeline::PerceptionOptions& options) {
   for (auto& writer : results_) {

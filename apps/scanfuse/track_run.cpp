@@ -84,27 +84,21 @@ bool is_wanted(const TrackRequest& request, const std::string& sensor) {
          std::find(request.topics.begin(), request.topics.end(), sensor) != request.topics.end();
 }
 
-/// Keeps results and truth for scoring only where there is truth at all.
-struct Scoring {
-  std::vector<StepResult> steps;
-  std::vector<TruthFrame> truth;
-
-  void add(const StepResult& step) {
-    if (truth.empty()) return;
-    steps.push_back(step);
-    steps.back().detections.clear();
+/// Compares with truth, where there is any, and closes all outputs.
+Result<void> conclude(const TrackRequest& request, const pipeline::PerceptionOptions& options,
+                      Scorer& scorer, TrackOutputs& outputs, TrackOutcome& outcome) {
+  if (auto done = scorer.finish(outcome.diagnostics); !done) return done;
+  if (auto score = scorer.score()) {
+    outcome.score = std::move(score->all);
+    outcome.by_class = std::move(score->by_class);
   }
-  void score(TrackOutcome& outcome) const {
-    if (truth.empty()) return;
-    evaluate::EvaluateOptions options;
-    options.min_visible_points = 1;
-    outcome.score = evaluate::evaluate(steps, truth, options);
-  }
-};
+  if (scorer.was_asked()) outputs.show(scorer.truth());
+  return outputs.finish(request, outcome, options);
+}
 
 Result<void> track_all(const TrackRequest& request, pipeline::ScanFeed& feed,
                        pipeline::Perception& perception, TrackOutputs& outputs, Tally& tally,
-                       Scoring& scoring, bool quiet) {
+                       Scorer& scorer, bool quiet) {
   Progress progress("tracking", quiet);
   std::int64_t scans = 0;
   while (!interrupted) {
@@ -112,7 +106,7 @@ Result<void> track_all(const TrackRequest& request, pipeline::ScanFeed& feed,
     if (!posed) return tl::unexpected(posed.error());
     for (auto& truth : feed.take_truth()) {
       if (auto done = outputs.write(truth); !done) return done;
-      scoring.truth.push_back(std::move(truth));
+      scorer.add(truth);
     }
     if (!*posed) break;
     if (!is_wanted(request, (*posed)->scan.sensor)) continue;
@@ -120,7 +114,7 @@ Result<void> track_all(const TrackRequest& request, pipeline::ScanFeed& feed,
     const StepResult& step = perception.step(**posed);
     const auto took = std::chrono::steady_clock::now() - before;
     tally.add(step, (*posed)->scan.returns.size(), to_seconds(took));
-    scoring.add(step);
+    scorer.add(step);
     if (auto done =
             outputs.write(step, (*posed)->scan, &perception.virtual_scan(), &perception.clusters());
         !done) {
@@ -167,8 +161,8 @@ Result<TrackOutcome> run_track(const TrackRequest& request, const CommonOptions&
   if (!outputs) return tl::unexpected(outputs.error());
   pipeline::Perception perception(*options);
   Tally tally;
-  Scoring scoring;
-  auto done = track_all(request, *feed, perception, *outputs, tally, scoring, common.quiet);
+  Scorer scorer(request.truth, request.scoring, request.input);
+  auto done = track_all(request, *feed, perception, *outputs, tally, scorer, common.quiet);
   if (!done) return tl::unexpected(done.error());
   TrackOutcome outcome = tally.finish();
   outcome.stopped = interrupted;
@@ -179,8 +173,7 @@ Result<TrackOutcome> run_track(const TrackRequest& request, const CommonOptions&
                 "{}: no scan in it that scanfuse can read; `scanfuse info` lists what is there",
                 request.input);
   }
-  scoring.score(outcome);
-  if (auto finished = outputs->finish(request, outcome, *options); !finished) {
+  if (auto finished = conclude(request, *options, scorer, *outputs, outcome); !finished) {
     return tl::unexpected(finished.error());
   }
   return outcome;
@@ -269,6 +262,7 @@ Result<TrackOutcome> run_track_on_detections(const TrackRequest& request,
   auto outputs = TrackOutputs::open(request);
   if (!outputs) return tl::unexpected(outputs.error());
   track::Tracker tracker(options->track);
+  Scorer scorer(request.truth, request.scoring, request.input);
   Tally tally;
   Progress progress("tracking", common.quiet);
   for (const auto& frame : *frames) {
@@ -278,6 +272,7 @@ Result<TrackOutcome> run_track_on_detections(const TrackRequest& request,
     step.tracks = tracker.step(frame.stamp, step.detections);
     tally.add(step, 0, to_seconds(std::chrono::steady_clock::now() - before));
     placer->give_back(step);
+    scorer.add(step);
     if (auto done = outputs->write(step, Scan{}, nullptr, nullptr); !done) {
       return tl::unexpected(done.error());
     }
@@ -287,7 +282,7 @@ Result<TrackOutcome> run_track_on_detections(const TrackRequest& request,
   outcome.stopped = interrupted;
   outcome.diagnostics = std::move(diagnostics);
   outcome.diagnostics.merge(tracker.diagnostics());
-  if (auto finished = outputs->finish(request, outcome, *options); !finished) {
+  if (auto finished = conclude(request, *options, scorer, *outputs, outcome); !finished) {
     return tl::unexpected(finished.error());
   }
   return outcome;

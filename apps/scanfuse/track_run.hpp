@@ -9,7 +9,9 @@
 
 #include "command.hpp"
 #include "scanfuse/evaluate/evaluate.hpp"
+#include "scanfuse/evaluate/per_class.hpp"
 #include "scanfuse/pipeline/config.hpp"
+#include "scoring.hpp"
 
 namespace scanfuse::app {
 
@@ -29,6 +31,8 @@ struct TrackRequest {
   std::vector<double> mount;  ///< x, y, yaw
   std::string calibration;    ///< of KITTI detections, or empty
   double frame_rate_hz = 10;  ///< of KITTI detections
+  TruthRequest truth;         ///< none asked for: what the recording carries
+  ScoringRequest scoring;
   bool paper_axes = false;
   bool json = false;
 };
@@ -43,7 +47,8 @@ struct TrackOutcome {
   double p99_scan_s = 0;
   std::optional<Time> first;
   std::optional<Time> last;
-  std::optional<evaluate::Evaluation> score;  ///< when the recording carries truth
+  std::optional<evaluate::Evaluation> score;  ///< when there is truth
+  std::map<ObjectClass, evaluate::ClassEvaluation> by_class;
   Diagnostics diagnostics;
   bool stopped = false;  ///< by Ctrl-C
 };

@@ -61,6 +61,43 @@ TEST(BenchReal, AgreesWithTrackAndEvaluate) {
               rmse["velocity_m_per_s"].get<double>(), 2e-3);
 }
 
+nlohmann::json score_of(const TemporaryFolder& folder, const std::string& arguments) {
+  const auto run = run_tool(folder, "evaluate " + arguments + " --match-m 0.3 --json");
+  EXPECT_EQ(run.code, 0) << run.err;
+  return run.code == 0 ? nlohmann::json::parse(run.out) : nlohmann::json();
+}
+
+// Truth interpolated from the target's topic scores as the table that was made of it.
+TEST(TruthTopic, ScoresAsTheTruthTableWithinTheErrorOfInterpolation) {
+  const fs::path data = fs::path(SCANFUSE_SHARED_DATA) / "datmo";
+  if (!fs::exists(data)) GTEST_SKIP() << "no shared data: skipped";
+  for (const std::string name : {"overtake_ego", "overtake_red", "parallel"}) {
+    SCOPED_TRACE(name);
+    const TemporaryFolder folder;
+    const auto bag = (data / (name + ".bag")).string();
+    const auto csv = (folder.path() / "t.csv").string();
+    const auto track = run_tool(folder, "track " + bag +
+                                            " --ego-topic /ego_pose --mount -0.12,0,0 "
+                                            "--preset vehicle-model -o " +
+                                            csv);
+    ASSERT_EQ(track.code, 0) << track.err;
+    EXPECT_EQ(track.err.find("frozen ego pose") != std::string::npos, name == "overtake_ego");
+    const auto table =
+        score_of(folder, csv + " --truth " + (data / (name + ".truth.csv")).string() +
+                             " --min-visible-points 3");
+    const auto topic = score_of(folder, csv + " --truth " + bag +
+                                            " --truth-topic /red_pose --truth-size 0.44,0.2 "
+                                            "--truth-offset 0.09,0");
+    for (const auto& [key, error] :
+         {std::pair{"position_m", 0.002}, std::pair{"velocity_m_per_s", 0.005},
+          std::pair{"heading_mod_pi_rad", 0.002}, std::pair{"length_m", 0.001}}) {
+      EXPECT_NEAR(topic["rmse"][key].get<double>(), table["rmse"][key].get<double>(), error) << key;
+    }
+    EXPECT_EQ(topic["clear"]["IDSW"], table["clear"]["IDSW"]);
+    EXPECT_NEAR(topic["clear"]["FN"].get<int>(), table["clear"]["FN"].get<int>(), 2);
+  }
+}
+
 TEST(Bench, SaysWhichSeedsChoseConstants) {
   const TemporaryFolder folder;
   const auto tuned = run_tool(folder, "bench segment --seeds 1 --seed 7 --json");
