@@ -100,8 +100,8 @@ const marks = (() => {
   };
 
   // Texts beside their boxes that do not cover one another: what finds no place is left out.
-  const labeller = (g, colours) => {
-    const taken = [];
+  const labeller = (g, colours, ego) => {
+    const taken = [{x: ego[0] - 10, y: ego[1] - 14, w: 20, h: 28}];
     const free = (r) => taken.every((o) => r.x + r.w < o.x || o.x + o.w < r.x || r.y + r.h < o.y || o.y + o.h < r.y);
     return (text, p, reach, must) => {
       g.font = (must ? '600 ' : '') + '12px system-ui, sans-serif';

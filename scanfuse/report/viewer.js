@@ -66,7 +66,7 @@
       g.beginPath();
       g.arc(p[0], p[1], r * state.scale, 0, 2 * Math.PI);
       g.stroke();
-      g.fillText(r + ' m', p[0] + 3, p[1] - r * state.scale - 3);
+      g.fillText(r + ' m', p[0] + 0.6 * r * state.scale + 3, p[1] - 0.8 * r * state.scale - 3);
     }
   };
 
@@ -142,7 +142,7 @@
     if (by('tentative').checked) frame.k.filter((t) => t.status === TENTATIVE).forEach((t) => drawTentative(g, to, t));
     const shown = frame.k.filter((t) => t.status !== TENTATIVE);
     shown.forEach((t) => drawTrack(g, to, t, frame.s));
-    const label = marks.labeller(g, colours), [ex, ey] = frame.e;
+    const [ex, ey] = frame.e, label = marks.labeller(g, colours, to(ex, ey));
     const rank = (t) => (t.id === state.picked ? -1 : Math.hypot(t.x - ex, t.y - ey));  // the nearest first
     for (const t of [...shown].sort((a, b) => rank(a) - rank(b) || a.id - b.id)) {
       const speed = Math.hypot(t.vx, t.vy), reach = state.scale * (t.length + t.width) / 4 + 6;

@@ -59,6 +59,27 @@ TEST(TrackKittiDetections, WithTheEgoMotionAParkedCarStands) {
   EXPECT_NEAR(last_speed_m_per_s(csv), 5, 0.5);
 }
 
+// Truth that lies beside the recording is scored, class by class, and drawn.
+TEST(TrackWithTruth, ScoresAndReportsEachClass) {
+  const TemporaryFolder folder;
+  const auto boxes = folder.write("0000.txt", boxes_of_a_parked_car()).string();
+  const auto ego = folder.write("ego.csv", driving_at_5_m_per_s()).string();
+  std::string table = "frame,time_s,object_id,class,x_m,y_m\n";
+  for (int k = 0; k < 20; ++k) {
+    table += std::to_string(k) + "," + std::to_string(0.1 * k) + ",1,vehicle,20.27,0\n";
+  }
+  const auto truth = folder.write("truth.csv", table).string();
+  const auto page = folder.path() / "r.html";
+  const std::string track = "track " + boxes + " --ego " + ego + " --truth " + truth;
+  const auto run = run_tool(folder, track + " --json --report " + page.string());
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("\"evaluation\""));
+  EXPECT_THAT(content_of(page), HasSubstr("Each class against truth"));
+  EXPECT_THAT(content_of(page), HasSubstr("\"g\":[[1,"));
+  EXPECT_EQ(run_tool(folder, track + "x").code, 2);
+  EXPECT_EQ(run_tool(folder, track + " --region 1,0,0,1").code, 2);
+}
+
 TEST(TrackKittiDetections, MistakesEndWithTwoAndNameTheirPlace) {
   const TemporaryFolder folder;
   const auto bad = folder.write("bad.txt", "0 -1 Car 0 0 0 0 0 9 9 x 1.8 4.2 0 1.6 20 0 1\n");
