@@ -1,5 +1,7 @@
 #include "scoring.hpp"
 
+#include <filesystem>
+
 #include "scanfuse/io/recording.hpp"
 #include "scanfuse/io/tables.hpp"
 #include "scanfuse/pipeline/topic_truth.hpp"
@@ -153,9 +155,19 @@ Result<evaluate::EvaluateOptions> resolve_scoring(const ScoringRequest& request,
   return options;
 }
 
-Scorer::Scorer(TruthRequest truth, ScoringRequest scoring, const std::string& input)
-    : request_(std::move(truth)), scoring_(std::move(scoring)) {
-  if (request_.path.empty() && !request_.topics.empty()) request_.path = input;
+Result<Scorer> Scorer::create(TruthRequest truth, const ScoringRequest& scoring,
+                              const std::string& input) {
+  if (truth.path.empty() && !truth.topics.empty()) truth.path = input;
+  std::error_code ignored;
+  if (!truth.path.empty() && !std::filesystem::exists(truth.path, ignored)) {
+    return fail(Error::Code::kNotFound, "{}: no such file or folder", truth.path);
+  }
+  const auto options = resolve_scoring(scoring, truth);
+  if (!options) return tl::unexpected(options.error());
+  Scorer scorer;
+  scorer.request_ = std::move(truth);
+  scorer.options_ = *options;
+  return scorer;
 }
 
 void Scorer::add(const StepResult& step) {
@@ -169,9 +181,6 @@ void Scorer::add(const TruthFrame& truth) {
 }
 
 Result<void> Scorer::finish(Diagnostics& diagnostics) {
-  auto options = resolve_scoring(scoring_, request_);
-  if (!options) return tl::unexpected(options.error());
-  options_ = *options;
   if (!was_asked()) return {};
   auto truth = read_truth(request_, steps_, diagnostics);
   if (!truth) return tl::unexpected(truth.error());

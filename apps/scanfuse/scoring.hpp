@@ -51,8 +51,9 @@ struct Score {
 /// recording.
 class Scorer {
  public:
-  /// A truth topic without a path is one of `input`.
-  Scorer(TruthRequest truth, ScoringRequest scoring, const std::string& input);
+  /// A truth topic without a path is one of `input`. An error where what was asked cannot be.
+  [[nodiscard]] static Result<Scorer> create(TruthRequest truth, const ScoringRequest& scoring,
+                                             const std::string& input);
   void add(const StepResult& step);
   /// What the recording carries; not used where other truth was asked for.
   void add(const TruthFrame& truth);
@@ -65,7 +66,6 @@ class Scorer {
 
  private:
   TruthRequest request_;
-  ScoringRequest scoring_;
   evaluate::EvaluateOptions options_;
   std::vector<StepResult> steps_;
   std::vector<TruthFrame> truth_;

@@ -155,14 +155,15 @@ Result<pipeline::PerceptionOptions> resolve_options(const TrackRequest& request)
 Result<TrackOutcome> run_track(const TrackRequest& request, const CommonOptions& common) {
   const auto options = resolve_options(request);
   if (!options) return tl::unexpected(options.error());
+  auto scorer = Scorer::create(request.truth, request.scoring, request.input);
+  if (!scorer) return tl::unexpected(scorer.error());
   auto feed = open_feed(request);
   if (!feed) return tl::unexpected(feed.error());
   auto outputs = TrackOutputs::open(request);
   if (!outputs) return tl::unexpected(outputs.error());
   pipeline::Perception perception(*options);
   Tally tally;
-  Scorer scorer(request.truth, request.scoring, request.input);
-  auto done = track_all(request, *feed, perception, *outputs, tally, scorer, common.quiet);
+  auto done = track_all(request, *feed, perception, *outputs, tally, *scorer, common.quiet);
   if (!done) return tl::unexpected(done.error());
   TrackOutcome outcome = tally.finish();
   outcome.stopped = interrupted;
@@ -173,7 +174,7 @@ Result<TrackOutcome> run_track(const TrackRequest& request, const CommonOptions&
                 "{}: no scan in it that scanfuse can read; `scanfuse info` lists what is there",
                 request.input);
   }
-  if (auto finished = conclude(request, *options, scorer, *outputs, outcome); !finished) {
+  if (auto finished = conclude(request, *options, *scorer, *outputs, outcome); !finished) {
     return tl::unexpected(finished.error());
   }
   return outcome;
@@ -259,10 +260,11 @@ Result<TrackOutcome> run_track_on_detections(const TrackRequest& request,
   if (!frames) return tl::unexpected(frames.error());
   const auto placer = DetectionPlacer::create(request, *options);
   if (!placer) return tl::unexpected(placer.error());
+  auto scorer = Scorer::create(request.truth, request.scoring, request.input);
+  if (!scorer) return tl::unexpected(scorer.error());
   auto outputs = TrackOutputs::open(request);
   if (!outputs) return tl::unexpected(outputs.error());
   track::Tracker tracker(options->track);
-  Scorer scorer(request.truth, request.scoring, request.input);
   Tally tally;
   Progress progress("tracking", common.quiet);
   for (const auto& frame : *frames) {
@@ -272,7 +274,7 @@ Result<TrackOutcome> run_track_on_detections(const TrackRequest& request,
     step.tracks = tracker.step(frame.stamp, step.detections);
     tally.add(step, 0, to_seconds(std::chrono::steady_clock::now() - before));
     placer->give_back(step);
-    scorer.add(step);
+    scorer->add(step);
     if (auto done = outputs->write(step, Scan{}, nullptr, nullptr); !done) {
       return tl::unexpected(done.error());
     }
@@ -282,7 +284,7 @@ Result<TrackOutcome> run_track_on_detections(const TrackRequest& request,
   outcome.stopped = interrupted;
   outcome.diagnostics = std::move(diagnostics);
   outcome.diagnostics.merge(tracker.diagnostics());
-  if (auto finished = conclude(request, *options, scorer, *outputs, outcome); !finished) {
+  if (auto finished = conclude(request, *options, *scorer, *outputs, outcome); !finished) {
     return tl::unexpected(finished.error());
   }
   return outcome;

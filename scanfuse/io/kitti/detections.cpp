@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int64_t kLargestGap = 1000;
+constexpr std::int64_t kLargestGap = 100;  // so that few lines cannot fill the memory
 
 KittiLayout layout_of_file(const fs::path& path) {
   Diagnostics ignored;
@@ -113,7 +113,7 @@ class Collector {
   void fill_gap(std::vector<DetectionFrame>& all, std::int64_t until, double frame_rate_hz) {
     if (all.empty() || until - all.back().frame <= 1) return;
     if (until - all.back().frame > kLargestGap) {
-      diagnostics_.note("more than 1000 frames without a detection left out",
+      diagnostics_.note("more than 100 frames without a detection left out",
                         fmt::format("before frame {}", until));
       return;
     }
