@@ -28,7 +28,7 @@ block() { printf '```\n'; cat; printf '```\n\n'; }
   printf '| compiler | %s |\n' "$(c++ --version | head -n 1)"
   printf '| commit | %s%s |\n\n' "$(git rev-parse --short HEAD 2> /dev/null || echo unknown)" \
     "$(git diff --quiet HEAD 2> /dev/null || echo ', with changes')"
-  for name in segment track; do
+  for name in segment track real; do
     printf '## scanfuse bench %s\n\n' "$name"
     "$tool" bench "$name" "${seeds[@]}" | block
   done

@@ -15,13 +15,22 @@ struct BenchRequest {
   int threads = 0;
   std::string preset = "vehicle-pag";
   std::vector<std::string> changes;
+  RealData real;
   bool json = false;
+};
+
+/// Random scenes that constants were chosen or classes learned on; `last` 0: none.
+struct TunedSeeds {
+  std::uint64_t first = 1;
+  std::uint64_t last = 0;
 };
 
 struct Benchmark {
   std::string name;
   std::string doc;
-  Result<std::vector<BenchRow>> (*run)(const BenchRequest&);
+  SeedRange seeds;  ///< unless others are asked for
+  TunedSeeds tuned;
+  Result<std::vector<BenchRow>> (*run)(const BenchRequest&, const SeedRange&);
 };
 
 SeedRange seeds_of(const BenchRequest& request, SeedRange fallback) {
@@ -31,37 +40,65 @@ SeedRange seeds_of(const BenchRequest& request, SeedRange fallback) {
 }
 
 const std::vector<Benchmark>& benchmarks() {
+  using Request = const BenchRequest&;
   static const std::vector<Benchmark> all{
       {"segment", "ways to cut a scan into objects: share right against range, point IoU, time",
-       [](const BenchRequest& request) -> Result<std::vector<BenchRow>> {
-         return bench_segment(seeds_of(request, {}));
+       SeedRange{}, TunedSeeds{1, 50},
+       [](Request, const SeedRange& seeds) -> Result<std::vector<BenchRow>> {
+         return bench_segment(seeds);
        }},
       {"track",
        "the scenarios of [Lu2018] and two bends by the whole chain; the tracker alone: set pieces, "
        "speed",
-       [](const BenchRequest& request) {
-         return bench_track(seeds_of(request, {101, 20}), request.preset, request.changes,
-                            request.threads);
+       SeedRange{101, 20}, TunedSeeds{1, 100},
+       [](Request request, const SeedRange& seeds) {
+         return bench_track(seeds, request.preset, request.changes, request.threads);
        }},
       {"detect", "cars, pedestrians, cyclists and clutter told apart, to 50 m, against truth",
-       [](const BenchRequest& request) {
-         return bench_detect(seeds_of(request, {1001, 40}), request.changes, request.threads);
+       SeedRange{1001, 40}, TunedSeeds{1, 999},
+       [](Request request, const SeedRange& seeds) {
+         return bench_detect(seeds, request.changes, request.threads);
        }},
       {"passive",
        "bearings joined into targets: costs, misses and clutter, positions, cameras, the solver",
-       [](const BenchRequest& request) -> Result<std::vector<BenchRow>> {
-         return bench_passive(seeds_of(request, {1, 2000}), request.threads);
+       SeedRange{1, 2000}, TunedSeeds{},
+       [](Request request, const SeedRange& seeds) -> Result<std::vector<BenchRow>> {
+         return bench_passive(seeds, request.threads);
        }},
+      {"real", "recordings of real scenes against motion capture and labels, where --data has them",
+       SeedRange{}, TunedSeeds{},
+       [](Request request, const SeedRange&) { return bench_real(request.real, request.threads); }},
       {"speed",
        "time of one 4 x 440 scan through the chain and its stages; clustering to 1 M points",
-       [](const BenchRequest& request) {
-         return bench_speed(seeds_of(request, {}).first, request.preset, request.changes);
+       SeedRange{}, TunedSeeds{},
+       [](Request request, const SeedRange& seeds) {
+         return bench_speed(seeds.first, request.preset, request.changes);
        }},
   };
   return all;
 }
 
-void print_table(const std::vector<BenchRow>& rows) {
+/// Says of every row whether its seeds are among those that constants were chosen on.
+void name_role(const Benchmark& bench, const SeedRange& seeds, std::vector<BenchRow>& rows) {
+  if (bench.tuned.last == 0 || seeds.count < 1) return;
+  const auto last = seeds.first + static_cast<std::uint64_t>(seeds.count) - 1;
+  const bool tuned = seeds.first <= bench.tuned.last && last >= bench.tuned.first;
+  for (auto& row : rows) {
+    if (row.role.empty()) row.role = tuned ? kChoseConstants : kReportingOnly;
+  }
+}
+
+/// What the seeds or recordings of the rows served for, in one line where all agree.
+void print_roles(const Benchmark& bench, const SeedRange& seeds,
+                 const std::vector<BenchRow>& rows) {
+  if (bench.tuned.last == 0) return;
+  fmt::print("\nseeds {} to {}: {} (constants were chosen on seeds {} to {})\n", seeds.first,
+             seeds.first + static_cast<std::uint64_t>(seeds.count) - 1,
+             rows.empty() ? "" : rows.front().role, bench.tuned.first, bench.tuned.last);
+}
+
+void print_table(const Benchmark& bench, const std::vector<BenchRow>& rows) {
+  const bool by_recording = bench.name == "real";
   const auto number = [](const std::optional<double>& value) {
     return value ? fmt::format("{:.4g}", *value) : std::string();
   };
@@ -70,9 +107,14 @@ void print_table(const std::vector<BenchRow>& rows) {
   };
   fmt::print("{:<62} {:>10} {:<8} {:>8} {:>8}\n", "", "value", "", "peer", "target");
   for (const auto& row : rows) {
+    if (!row.skipped.empty()) {
+      fmt::print("{:<62} skipped: {}\n", row.name, row.skipped);
+      continue;
+    }
     const auto* verdict = !row.target.any() ? "" : row.met() ? "met" : "MISSED";
-    fmt::print("{:<62} {:>10.4g} {:<8} {:>8} {:>8} {}\n", row.name, row.value, row.unit,
-               number(row.peer), target(row.target), verdict);
+    fmt::print("{:<62} {:>10.4g} {:<8} {:>8} {:>8} {:<6} {}{}{}\n", row.name, row.value, row.unit,
+               number(row.peer), target(row.target), verdict, by_recording ? row.role : "",
+               row.peer_name.empty() ? "" : "; peer: ", row.peer_name);
   }
 }
 
@@ -82,17 +124,24 @@ nlohmann::json or_null(const std::optional<T>& value) {
 }
 
 nlohmann::json as_json(const std::vector<BenchRow>& rows) {
-  nlohmann::json list = nlohmann::json::array();
+  nlohmann::json list = nlohmann::json::array(), skipped = nlohmann::json::array();
   for (const auto& row : rows) {
+    if (!row.skipped.empty()) {
+      skipped.push_back({{"name", row.name}, {"why", row.skipped}});
+      continue;
+    }
     list.push_back({{"name", row.name},
                     {"value", std::isfinite(row.value) ? nlohmann::json(row.value) : nullptr},
                     {"unit", row.unit},
                     {"peer", or_null(row.peer)},
                     {"target", or_null(row.target.high ? row.target.high : row.target.low)},
                     {"target_lower", or_null(row.target.high ? row.target.low : std::nullopt)},
+                    {"peer_name", row.peer_name},
+                    {"role", row.role},
                     {"met", row.met()}});
   }
   return {{"rows", list},
+          {"skipped", skipped},
           {"machine", {{"cores", std::thread::hardware_concurrency()}, {"compiler", __VERSION__}}},
           {"commit", SCANFUSE_COMMIT}};
 }
@@ -106,12 +155,15 @@ int run_bench(const BenchRequest& request) {
   for (const auto& bench : benchmarks()) {
     names.push_back(bench.name);
     if (bench.name != request.name) continue;
-    const auto rows = bench.run(request);
+    const SeedRange seeds = seeds_of(request, bench.seeds);
+    auto rows = bench.run(request, seeds);
     if (!rows) return report_error(rows.error());
+    name_role(bench, seeds, *rows);
     if (request.json) {
       fmt::print("{}\n", as_json(*rows).dump(2));
     } else {
-      print_table(*rows);
+      print_table(bench, *rows);
+      print_roles(bench, seeds, *rows);
     }
     return kDone;
   }
@@ -134,10 +186,16 @@ void add_bench(Tool& tool) {
   app->add_option("--set", request->changes,
                   "Change an option: section.option=value (track, detect, speed)")
       ->allow_extra_args(false);
+  app->add_option("--data", request->real.folder,
+                  "Folder of the recordings that `real` measures on: datmo/, road/kitti_seq0000/")
+      ->envname("SCANFUSE_DATA");
+  app->add_option("--full-scans", request->real.full_scans,
+                  "real: the road sequence's .bin files, if not in road/kitti_seq0000/velodyne");
   app->add_flag("--json", request->json, "One JSON object on stdout");
   app->footer(
       "--seed sets the first seed. Each benchmark's own seeds are none that served for tuning.\n"
-      "Example:\n  scanfuse bench track --seeds 20 --json");
+      "Examples:\n  scanfuse bench track --seeds 20 --json\n"
+      "  scanfuse bench real --data ~/recordings");
   app->callback([&tool, request] {
     if (tool.app->count("--seed") > 0) request->first_seed = tool.common->seed;
     request->threads = tool.common->threads;

@@ -23,6 +23,10 @@ struct Target {
 [[nodiscard]] inline Target at_most(double value) { return {.high = value}; }
 [[nodiscard]] inline Target between(double low, double high) { return {low, high}; }
 
+/// What the data behind a figure served for.
+inline constexpr const char* kChoseConstants = "chose constants";
+inline constexpr const char* kReportingOnly = "reporting only";
+
 /// One figure of a benchmark, as `scanfuse bench NAME --json` prints it.
 struct BenchRow {
   std::string name;
@@ -30,6 +34,9 @@ struct BenchRow {
   std::string unit;
   Target target = {};
   std::optional<double> peer = std::nullopt;  ///< of another program or method, where known
+  std::string peer_name = {};
+  std::string role = {};     ///< of the data: "chose constants" or "reporting only"
+  std::string skipped = {};  ///< not empty: nothing was measured, and why
   [[nodiscard]] bool met() const { return target.met_by(value); }
 };
 
@@ -83,5 +90,15 @@ struct SeedRange {
 /// misses and clutter, positions against the Cramer-Rao bound, cameras, the solver. No constant was
 /// chosen on any of its seeds.
 [[nodiscard]] std::vector<BenchRow> bench_passive(const SeedRange& seeds, int threads);
+
+/// Where the recordings of `bench real` lie.
+struct RealData {
+  std::string folder;      ///< with datmo/ and road/kitti_seq0000/; empty: none given
+  std::string full_scans;  ///< .bin files of the sequence; empty: road/kitti_seq0000/velodyne
+};
+
+/// Tracks on recordings of real scenes against motion capture and labels, by the commands that
+/// docs/real-recordings.md states. What is not there is a row that says so.
+[[nodiscard]] Result<std::vector<BenchRow>> bench_real(const RealData& data, int threads);
 
 }  // namespace scanfuse::app

@@ -45,9 +45,9 @@ void print_summary(const TrackRequest& request, const TrackOutcome& outcome) {
 
 int run(const TrackRequest& request, const CommonOptions& common) {
   catch_interrupts();
-  const bool table = io::table_kind(request.input) == io::TableKind::kDetections;
-  const auto outcome =
-      table ? run_track_on_detections(request, common) : run_track(request, common);
+  const auto outcome = io::holds_detections(request.input)
+                           ? run_track_on_detections(request, common)
+                           : run_track(request, common);
   if (!outcome) return report_error(outcome.error());
   if (request.json) {
     fmt::print(
@@ -64,9 +64,10 @@ int run(const TrackRequest& request, const CommonOptions& common) {
 
 void add_track(Tool& tool) {
   auto request = std::make_shared<TrackRequest>();
+  request->scoring.options.min_visible_points = 1;
   auto* app = tool.app->add_subcommand("track", "Detect and track objects in a recording");
   app->add_option("input", request->input,
-                  "Recording (file or folder), points or detections in CSV")
+                  "Recording (file or folder), points or detections in CSV, KITTI detections")
       ->required();
   app->add_option("-o,--output", request->outputs, "Where tracks go: .mcap, .csv or .jsonl")
       ->allow_extra_args(false);
@@ -88,14 +89,26 @@ void add_track(Tool& tool) {
   app->add_option("--mount", request->mount, "Sensor in the ego frame: X_M,Y_M,YAW_RAD")
       ->delimiter(',')
       ->expected(3);
+  app->add_option("--calib", request->calibration,
+                  "KITTI detections: their calibration file; else looked for beside them");
+  app->add_option("--frame-rate", request->frame_rate_hz,
+                  "KITTI detections: frames per second, since they tell no time")
+      ->check(CLI::Range(0.1, 1e4))
+      ->capture_default_str();
   app->add_flag("--paper-axes", request->paper_axes,
                 "CSV points have x lateral, y forward, as in [Lu2018]");
+  app->add_option("--truth", request->truth.path,
+                  "Compare with this truth: a table, KITTI labels, a recording; else with what the "
+                  "input carries");
+  add_truth_options(*app, request->truth);
+  add_scoring_options(*app, request->scoring);
   app->add_flag("--json", request->json, "One JSON object on stdout");
   app->footer(
       "Examples:\n"
       "  scanfuse track drive.mcap -o tracks.mcap --report report.html\n"
       "  scanfuse track lap.bag --ego-topic /ego_pose --mount -0.12,0,0 -o tracks.csv\n"
-      "  scanfuse track detections.csv -o tracks.csv");
+      "  scanfuse track detections.csv -o tracks.csv\n"
+      "  scanfuse track 0000.txt --calib calib/0000.txt --frame-rate 10 -o tracks.csv");
   app->callback([&tool, request] { *tool.exit_code = run(*request, *tool.common); });
 }
 

@@ -1,5 +1,6 @@
 #include "track_outputs.hpp"
 
+#include "class_tables.hpp"
 #include "scanfuse/io/tables.hpp"
 #include "scanfuse/io/toml.hpp"
 
@@ -105,6 +106,11 @@ Result<void> TrackOutputs::write(const TruthFrame& truth) {
   return {};
 }
 
+void TrackOutputs::show(std::span<const TruthFrame> truth) {
+  if (!report_) return;
+  for (const auto& frame : truth) report_->add(frame);
+}
+
 Result<void> TrackOutputs::finish(const TrackRequest& request, const TrackOutcome& outcome,
                                   const pipeline::PerceptionOptions& options) {
   for (auto& writer : results_) {
@@ -119,6 +125,7 @@ Result<void> TrackOutputs::finish(const TrackRequest& request, const TrackOutcom
     header.configuration = changed_options(request, options);
     header.summary = summary_rows(outcome);
     if (outcome.score) header.metrics = metric_rows(*outcome.score);
+    add_class_figures(outcome.by_class, header);
     header.diagnostics = diagnostic_rows(outcome.diagnostics);
     if (auto done = write_whole(request.report, report_->html(header)); !done) return done;
   }

@@ -2,7 +2,7 @@
 
 #include <memory>
 #include <optional>
-#include <set>
+#include <span>
 #include <vector>
 
 #include "scanfuse/io/atomic_file.hpp"
@@ -20,6 +20,8 @@ class TrackOutputs {
   [[nodiscard]] Result<void> write(const StepResult& step, const Scan& scan,
                                    const VirtualScan* flat, const Clusters* clusters);
   [[nodiscard]] Result<void> write(const TruthFrame& truth);
+  /// Truth that is not part of the recording: for the report only.
+  void show(std::span<const TruthFrame> truth);
   /// Moves everything into place: results, detections, report, and beside each result the options
   /// it was made with.
   [[nodiscard]] Result<void> finish(const TrackRequest& request, const TrackOutcome& outcome,

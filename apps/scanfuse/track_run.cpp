@@ -84,27 +84,21 @@ bool is_wanted(const TrackRequest& request, const std::string& sensor) {
          std::find(request.topics.begin(), request.topics.end(), sensor) != request.topics.end();
 }
 
-/// Keeps results and truth for scoring only where there is truth at all.
-struct Scoring {
-  std::vector<StepResult> steps;
-  std::vector<TruthFrame> truth;
-
-  void add(const StepResult& step) {
-    if (truth.empty()) return;
-    steps.push_back(step);
-    steps.back().detections.clear();
+/// Compares with truth, where there is any, and closes all outputs.
+Result<void> conclude(const TrackRequest& request, const pipeline::PerceptionOptions& options,
+                      Scorer& scorer, TrackOutputs& outputs, TrackOutcome& outcome) {
+  if (auto done = scorer.finish(outcome.diagnostics); !done) return done;
+  if (auto score = scorer.score()) {
+    outcome.score = std::move(score->all);
+    outcome.by_class = std::move(score->by_class);
   }
-  void score(TrackOutcome& outcome) const {
-    if (truth.empty()) return;
-    evaluate::EvaluateOptions options;
-    options.min_visible_points = 1;
-    outcome.score = evaluate::evaluate(steps, truth, options);
-  }
-};
+  if (scorer.was_asked()) outputs.show(scorer.truth());
+  return outputs.finish(request, outcome, options);
+}
 
 Result<void> track_all(const TrackRequest& request, pipeline::ScanFeed& feed,
                        pipeline::Perception& perception, TrackOutputs& outputs, Tally& tally,
-                       Scoring& scoring, bool quiet) {
+                       Scorer& scorer, bool quiet) {
   Progress progress("tracking", quiet);
   std::int64_t scans = 0;
   while (!interrupted) {
@@ -112,7 +106,7 @@ Result<void> track_all(const TrackRequest& request, pipeline::ScanFeed& feed,
     if (!posed) return tl::unexpected(posed.error());
     for (auto& truth : feed.take_truth()) {
       if (auto done = outputs.write(truth); !done) return done;
-      scoring.truth.push_back(std::move(truth));
+      scorer.add(truth);
     }
     if (!*posed) break;
     if (!is_wanted(request, (*posed)->scan.sensor)) continue;
@@ -120,7 +114,7 @@ Result<void> track_all(const TrackRequest& request, pipeline::ScanFeed& feed,
     const StepResult& step = perception.step(**posed);
     const auto took = std::chrono::steady_clock::now() - before;
     tally.add(step, (*posed)->scan.returns.size(), to_seconds(took));
-    scoring.add(step);
+    scorer.add(step);
     if (auto done =
             outputs.write(step, (*posed)->scan, &perception.virtual_scan(), &perception.clusters());
         !done) {
@@ -161,14 +155,15 @@ Result<pipeline::PerceptionOptions> resolve_options(const TrackRequest& request)
 Result<TrackOutcome> run_track(const TrackRequest& request, const CommonOptions& common) {
   const auto options = resolve_options(request);
   if (!options) return tl::unexpected(options.error());
+  auto scorer = Scorer::create(request.truth, request.scoring, request.input);
+  if (!scorer) return tl::unexpected(scorer.error());
   auto feed = open_feed(request);
   if (!feed) return tl::unexpected(feed.error());
   auto outputs = TrackOutputs::open(request);
   if (!outputs) return tl::unexpected(outputs.error());
   pipeline::Perception perception(*options);
   Tally tally;
-  Scoring scoring;
-  auto done = track_all(request, *feed, perception, *outputs, tally, scoring, common.quiet);
+  auto done = track_all(request, *feed, perception, *outputs, tally, *scorer, common.quiet);
   if (!done) return tl::unexpected(done.error());
   TrackOutcome outcome = tally.finish();
   outcome.stopped = interrupted;
@@ -179,20 +174,94 @@ Result<TrackOutcome> run_track(const TrackRequest& request, const CommonOptions&
                 "{}: no scan in it that scanfuse can read; `scanfuse info` lists what is there",
                 request.input);
   }
-  scoring.score(outcome);
-  if (auto finished = outputs->finish(request, outcome, *options); !finished) {
+  if (auto finished = conclude(request, *options, *scorer, *outputs, outcome); !finished) {
     return tl::unexpected(finished.error());
   }
   return outcome;
 }
+
+Result<std::vector<StepResult>> track_steps(const TrackRequest& request) {
+  const auto options = resolve_options(request);
+  if (!options) return tl::unexpected(options.error());
+  auto feed = open_feed(request);
+  if (!feed) return tl::unexpected(feed.error());
+  pipeline::Perception perception(*options);
+  std::vector<StepResult> steps;
+  while (true) {
+    auto posed = feed->next();
+    if (!posed) return tl::unexpected(posed.error());
+    if (!*posed) return steps;
+    if (!is_wanted(request, (*posed)->scan.sensor)) continue;
+    steps.push_back(perception.step(**posed));
+    steps.back().detections.clear();
+  }
+}
+
+namespace {
+
+/// Where detections are brought from the frame of the sensor: into the world and, if the results
+/// are asked for in the frame of the ego, back.
+class DetectionPlacer {
+ public:
+  [[nodiscard]] static Result<DetectionPlacer> create(const TrackRequest& request,
+                                                      const pipeline::PerceptionOptions& options) {
+    auto feed = feed_options(request);
+    if (!feed) return tl::unexpected(feed.error());
+    DetectionPlacer placer;
+    for (const auto& sample : feed->ego) placer.ego_.add(sample.stamp, sample.pose);
+    placer.mount_ = feed->mount.value_or(Pose3{});
+    placer.in_ego_ = options.pipeline.frame == pipeline::OutputFrame::kEgo;
+    return placer;
+  }
+
+  StepResult place(const io::DetectionFrame& frame, Diagnostics& diagnostics) const {
+    StepResult step;
+    step.stamp = frame.stamp;
+    step.frame = frame.frame;
+    step.sensor = frame.sensor;
+    step.ego_from_sensor = mount_;
+    if (const auto found = ego_.at(frame.stamp)) {
+      step.world_from_ego = found->pose;
+      if (found->extrapolated) {
+        diagnostics.note("ego pose extrapolated", fmt::format("frame {}", frame.frame));
+      }
+    }
+    const Pose2 world_from_sensor = (step.world_from_ego * mount_).planar();
+    step.detections.reserve(frame.detections.size());
+    for (const auto& detection : frame.detections) {
+      step.detections.push_back(pipeline::moved(detection, world_from_sensor));
+    }
+    return step;
+  }
+
+  void give_back(StepResult& step) const {
+    if (!in_ego_) return;
+    step.coordinate_frame = "ego";
+    const Pose2 ego_from_world = step.world_from_ego.planar().inverse();
+    for (auto& detection : step.detections) detection = pipeline::moved(detection, ego_from_world);
+    for (auto& track : step.tracks) track = pipeline::moved(track, ego_from_world);
+  }
+
+ private:
+  pipeline::PoseBuffer ego_;
+  Pose3 mount_;
+  bool in_ego_ = false;
+};
+
+}  // namespace
 
 Result<TrackOutcome> run_track_on_detections(const TrackRequest& request,
                                              const CommonOptions& common) {
   const auto options = resolve_options(request);
   if (!options) return tl::unexpected(options.error());
   Diagnostics diagnostics;
-  const auto frames = io::read_detections(request.input, &diagnostics);
+  const auto frames = io::read_detections(request.input, &diagnostics,
+                                          {request.calibration, request.frame_rate_hz});
   if (!frames) return tl::unexpected(frames.error());
+  const auto placer = DetectionPlacer::create(request, *options);
+  if (!placer) return tl::unexpected(placer.error());
+  auto scorer = Scorer::create(request.truth, request.scoring, request.input);
+  if (!scorer) return tl::unexpected(scorer.error());
   auto outputs = TrackOutputs::open(request);
   if (!outputs) return tl::unexpected(outputs.error());
   track::Tracker tracker(options->track);
@@ -200,14 +269,12 @@ Result<TrackOutcome> run_track_on_detections(const TrackRequest& request,
   Progress progress("tracking", common.quiet);
   for (const auto& frame : *frames) {
     if (interrupted) break;
-    StepResult step;
-    step.stamp = frame.stamp;
-    step.frame = frame.frame;
-    step.sensor = frame.sensor;
-    step.detections = frame.detections;
+    StepResult step = placer->place(frame, diagnostics);
     const auto before = std::chrono::steady_clock::now();
-    step.tracks = tracker.step(frame.stamp, frame.detections);
+    step.tracks = tracker.step(frame.stamp, step.detections);
     tally.add(step, 0, to_seconds(std::chrono::steady_clock::now() - before));
+    placer->give_back(step);
+    scorer->add(step);
     if (auto done = outputs->write(step, Scan{}, nullptr, nullptr); !done) {
       return tl::unexpected(done.error());
     }
@@ -217,7 +284,7 @@ Result<TrackOutcome> run_track_on_detections(const TrackRequest& request,
   outcome.stopped = interrupted;
   outcome.diagnostics = std::move(diagnostics);
   outcome.diagnostics.merge(tracker.diagnostics());
-  if (auto finished = outputs->finish(request, outcome, *options); !finished) {
+  if (auto finished = conclude(request, *options, *scorer, *outputs, outcome); !finished) {
     return tl::unexpected(finished.error());
   }
   return outcome;

@@ -9,7 +9,9 @@
 
 #include "command.hpp"
 #include "scanfuse/evaluate/evaluate.hpp"
+#include "scanfuse/evaluate/per_class.hpp"
 #include "scanfuse/pipeline/config.hpp"
+#include "scoring.hpp"
 
 namespace scanfuse::app {
 
@@ -27,6 +29,10 @@ struct TrackRequest {
   std::string ego_topic;
   std::string ego_file;
   std::vector<double> mount;  ///< x, y, yaw
+  std::string calibration;    ///< of KITTI detections, or empty
+  double frame_rate_hz = 10;  ///< of KITTI detections
+  TruthRequest truth;         ///< none asked for: what the recording carries
+  ScoringRequest scoring;
   bool paper_axes = false;
   bool json = false;
 };
@@ -41,7 +47,8 @@ struct TrackOutcome {
   double p99_scan_s = 0;
   std::optional<Time> first;
   std::optional<Time> last;
-  std::optional<evaluate::Evaluation> score;  ///< when the recording carries truth
+  std::optional<evaluate::Evaluation> score;  ///< when there is truth
+  std::map<ObjectClass, evaluate::ClassEvaluation> by_class;
   Diagnostics diagnostics;
   bool stopped = false;  ///< by Ctrl-C
 };
@@ -52,7 +59,11 @@ struct TrackOutcome {
 [[nodiscard]] Result<TrackOutcome> run_track(const TrackRequest& request,
                                              const CommonOptions& common);
 
-/// The same tracker on detections by any detector, from a table.
+/// The tracks of every scan, in memory; nothing is written.
+[[nodiscard]] Result<std::vector<StepResult>> track_steps(const TrackRequest& request);
+
+/// The same tracker on detections by any detector, from a table or KITTI boxes. With --ego they
+/// stand in the frame of the sensor, else in one that does not move.
 [[nodiscard]] Result<TrackOutcome> run_track_on_detections(const TrackRequest& request,
                                                            const CommonOptions& common);
 

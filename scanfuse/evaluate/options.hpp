@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "scanfuse/core/options.hpp"
+#include "scanfuse/geometry/angles.hpp"
 
 namespace scanfuse::evaluate {
 
@@ -45,6 +46,8 @@ struct EvaluateOptions {
   double region_x1_m = 1e9;
   double region_y0_m = -1e9;
   double region_y1_m = 1e9;
+  double view_half_angle_rad = kPi;
+  double view_range_m = 1e9;
   UnlistedFrames unlisted_frames = UnlistedFrames::kCount;
 
   static constexpr auto fields() {
@@ -75,6 +78,9 @@ struct EvaluateOptions {
         Field{"region_x1_m", &O::region_x1_m, -1e9, 1e9, "see region_x0_m"},
         Field{"region_y0_m", &O::region_y0_m, -1e9, 1e9, "see region_x0_m"},
         Field{"region_y1_m", &O::region_y1_m, -1e9, 1e9, "see region_x0_m"},
+        Field{"view_half_angle_rad", &O::view_half_angle_rad, 0.0, kPi,
+              "only what lies this far left or right of the ego's x axis counts"},
+        Field{"view_range_m", &O::view_range_m, 0.0, 1e9, "only what is nearer to the ego counts"},
         Field{"unlisted_frames", &O::unlisted_frames,
               "scans without truth: counted as empty road, or skipped"},
     };

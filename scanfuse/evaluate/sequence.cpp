@@ -30,9 +30,20 @@ bool inside_region(const Eigen::Vector2d& p, const EvaluateOptions& o) {
          p.y() <= o.region_y1_m;
 }
 
-bool counts(const TruthObject& object, const EvaluateOptions& options) {
+/// Inside the part of the view that counts, from the ego vehicle.
+bool inside_view(const Eigen::Vector2d& p, const ScoredFrame& frame, const EvaluateOptions& o) {
+  const Eigen::Vector2d d = p - frame.viewer_m;
+  const double bearing = wrap_pi(std::atan2(d.y(), d.x()) - frame.viewer_heading_rad);
+  return d.norm() <= o.view_range_m && std::abs(bearing) <= o.view_half_angle_rad;
+}
+
+bool inside(const Eigen::Vector2d& p, const ScoredFrame& frame, const EvaluateOptions& options) {
+  return inside_region(p, options) && inside_view(p, frame, options);
+}
+
+bool counts(const TruthObject& object, const ScoredFrame& frame, const EvaluateOptions& options) {
   if (object.visible_points && *object.visible_points < options.min_visible_points) return false;
-  return inside_region(object.position_m, options);
+  return inside(object.position_m, frame, options);
 }
 
 /// Drops truth that is ignored, the tracks that follow it, and other tracks outside the region.
@@ -47,12 +58,13 @@ void drop_ignored(ScoredFrame& frame, const EvaluateOptions& options) {
   std::vector<Track> kept;
   for (std::size_t j = 0; j < frame.tracks.size(); ++j) {
     const int i = truth_of_track[j];
-    const bool keep = i >= 0 ? counts(frame.truth[i], options)
-                             : inside_region(frame.tracks[j].box.centre_m, options);
+    const bool keep = i >= 0 ? counts(frame.truth[i], frame, options)
+                             : inside(frame.tracks[j].box.centre_m, frame, options);
     if (keep) kept.push_back(std::move(frame.tracks[j]));
   }
   frame.tracks = std::move(kept);
-  std::erase_if(frame.truth, [&](const TruthObject& object) { return !counts(object, options); });
+  std::erase_if(frame.truth,
+                [&](const TruthObject& object) { return !counts(object, frame, options); });
 }
 
 /// `anchor` is the truth frame whose coordinate frame is used (its own, or the sequence's first).
@@ -65,7 +77,9 @@ ScoredFrame scored_frame(const StepResult* step, const TruthFrame* truth,
   if (step == nullptr) return frame;
   const Pose2 to_from = anchor == nullptr ? Pose2{} : truth_from_output(*step, *anchor);
   if (anchor == nullptr || anchor->coordinate_frame != "ego") {
-    frame.viewer_m = step->world_from_ego.translation_m.head<2>();
+    const Pose2 ego = step->world_from_ego.planar();
+    frame.viewer_m = {ego.x_m, ego.y_m};
+    frame.viewer_heading_rad = ego.heading_rad;
   }
   for (const Track& track : step->tracks) {
     if (track.status != TrackStatus::kTentative) frame.tracks.push_back(moved(track, to_from));

@@ -20,6 +20,7 @@ struct ScoredFrame {
   std::vector<int> truth_index;                        ///< into Sequence::truth_ids, one each
   std::vector<int> track_index;                        ///< into Sequence::track_ids, one each
   Eigen::Vector2d viewer_m = Eigen::Vector2d::Zero();  ///< the ego vehicle, where the step tells it
+  double viewer_heading_rad = 0;
   Eigen::MatrixXd distance_m;  ///< truth x tracks; infinity where a position is not finite
 };
 
@@ -36,8 +37,9 @@ struct Sequence {
 /// disagree (files that count differently), and else for a number no step has, to the step nearest
 /// in time within half a scan period. Truth frames without a step count as scans without tracks.
 /// Tracks are moved into the frame of the truth by StepResult::world_from_ego. Left out: tentative
-/// tracks; truth objects with too few visible points or outside the region, together with the track
-/// nearest to each (within match_m, by optimal assignment); other tracks outside the region.
+/// tracks; truth objects with too few visible points or outside the region or the view, together
+/// with the track nearest to each (within match_m, by optimal assignment); other tracks outside
+/// them.
 [[nodiscard]] Sequence make_sequence(std::span<const StepResult> steps,
                                      std::span<const TruthFrame> truth,
                                      const EvaluateOptions& options);

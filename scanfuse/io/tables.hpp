@@ -49,12 +49,23 @@ struct DetectionFrame {
   std::vector<Detection> detections;
 };
 
+/// What files of KITTI boxes leave open.
+struct KittiOptions {
+  std::filesystem::path calibration;  ///< empty: looked for beside the boxes
+  double frame_rate_hz = 10;          ///< 0.1 to 10 000
+};
+
 /// `frame,time_s,class,x_m,y_m[,score,z_m,heading_rad,length_m,width_m,height_m,...]` with the
 /// further columns that `write_detections` writes. A row with neither `x_m` nor `y_m` says that
 /// nothing was seen in its frame. Without variances: 0.3 m in x and y, 0.2 rad in heading
-/// (1.8 rad, that is none, without `heading_rad`).
+/// (1.8 rad, that is none, without `heading_rad`). Or KITTI boxes (kitti/detections.hpp), a file or
+/// a folder with a file a frame, in the laser's frame.
 [[nodiscard]] Result<std::vector<DetectionFrame>> read_detections(
-    const std::filesystem::path& path, Diagnostics* diagnostics = nullptr);
+    const std::filesystem::path& path, Diagnostics* diagnostics = nullptr,
+    const KittiOptions& kitti = {});
+
+/// Whether `read_detections` knows what the path holds.
+[[nodiscard]] bool holds_detections(const std::filesystem::path& path);
 
 /// One detection frame as CSV rows; the header first. For writers that add a frame at a time.
 [[nodiscard]] std::string detection_header();

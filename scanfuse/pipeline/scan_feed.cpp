@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "scanfuse/io/text/numbers.hpp"
+
 namespace scanfuse::pipeline {
 namespace {
 
@@ -23,7 +25,10 @@ std::string first_known(const std::vector<std::string>& ancestry,
 
 ScanFeed::ScanFeed(std::unique_ptr<io::RecordingReader> reader, FeedOptions options)
     : reader_(std::move(reader)), options_(std::move(options)) {
-  for (const auto& sample : options_.ego) ego_.add(sample.stamp, sample.pose);
+  for (const auto& sample : options_.ego) {
+    ego_.add(sample.stamp, sample.pose);
+    frozen_.add(sample.stamp, sample.pose);
+  }
   choose_ego_topic();
 }
 
@@ -124,7 +129,9 @@ bool ScanFeed::is_repeat(const Scan& scan) {
 }
 
 void ScanFeed::take_pose(const std::string& topic, const PoseSample& sample) {
-  if (options_.ego.empty() && topic == ego_topic_) ego_.add(sample.stamp, sample.pose);
+  if (!options_.ego.empty() || topic != ego_topic_) return;
+  ego_.add(sample.stamp, sample.pose);
+  frozen_.add(sample.stamp, sample.pose);
 }
 
 PosedScan ScanFeed::pose(Scan scan) {
@@ -151,8 +158,16 @@ void ScanFeed::place(PosedScan& posed) {
   if (found->extrapolated) {
     diagnostics_.note("ego pose extrapolated", fmt::format("scan {}", posed.scan.frame));
   }
+  note_frozen(posed.scan.stamp, posed.scan.frame);
   posed.world_from_ego = found->pose;
   posed.twist = ego_.twist_at(posed.scan.stamp);
+}
+
+void ScanFeed::note_frozen(Time stamp, std::int64_t frame) {
+  const auto since = frozen_.frozen_since(stamp);
+  if (!since) return;
+  diagnostics_.note("scan at a frozen ego pose",
+                    fmt::format("scan {}, the same since {} s", frame, io::print_seconds(*since)));
 }
 
 bool ScanFeed::place_by_tf(PosedScan& posed) {

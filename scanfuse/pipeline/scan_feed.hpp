@@ -10,6 +10,7 @@
 
 #include "scanfuse/io/recording.hpp"
 #include "scanfuse/pipeline/frame_tree.hpp"
+#include "scanfuse/pipeline/frozen_poses.hpp"
 #include "scanfuse/pipeline/pose_buffer.hpp"
 
 namespace scanfuse::pipeline {
@@ -67,6 +68,7 @@ class ScanFeed {
   void place(PosedScan& posed);
   /// False when tf knows the mounting only, not where the ego is.
   bool place_by_tf(PosedScan& posed);
+  void note_frozen(Time stamp, std::int64_t frame);
   void choose_ego_topic();
 
   std::unique_ptr<io::RecordingReader> reader_;
@@ -74,6 +76,7 @@ class ScanFeed {
   Diagnostics diagnostics_;
   FrameTree tree_;
   PoseBuffer ego_;
+  FrozenPoses frozen_;
   std::string ego_topic_;
   bool recording_has_tf_ = false;
   std::deque<Waiting> waiting_;

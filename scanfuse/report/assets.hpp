@@ -4,7 +4,7 @@
 
 namespace scanfuse::report {
 
-/// The files viewer.js and page.css, embedded when building.
+/// The files marks.js with viewer.js, and page.css, embedded when building.
 [[nodiscard]] std::string_view viewer_script();
 [[nodiscard]] std::string_view page_style();
 

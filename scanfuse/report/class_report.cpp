@@ -5,24 +5,6 @@
 #include "scanfuse/report/assets.hpp"
 
 namespace scanfuse::report {
-namespace {
-
-std::string html_table(const ReportTable& table) {
-  std::string html =
-      fmt::format("<section class=\"card\"><h2>{}</h2><table class=\"wide\"><thead><tr>",
-                  escape_html(table.title));
-  for (const auto& name : table.columns) html += "<th>" + escape_html(name) + "</th>";
-  html += "</tr></thead><tbody>\n";
-  for (const auto& row : table.rows) {
-    html += "<tr>";
-    for (const auto& cell : row) html += "<td>" + escape_html(cell) + "</td>";
-    html += "</tr>\n";
-  }
-  return html + "</tbody></table></section>\n";
-}
-
-}  // namespace
-
 std::string figures_page(const std::string& title, const std::string& note,
                          const std::vector<ReportTable>& tables, const std::vector<Chart>& charts) {
   std::string html = "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">";

@@ -5,14 +5,9 @@
 #include <vector>
 
 #include "scanfuse/report/svg_plot.hpp"
+#include "scanfuse/report/table.hpp"
 
 namespace scanfuse::report {
-
-struct ReportTable {
-  std::string title;
-  std::vector<std::string> columns;
-  std::vector<std::vector<std::string>> rows;
-};
 
 /// One HTML page of tables and charts that needs no other file; all texts are escaped.
 [[nodiscard]] std::string figures_page(const std::string& title, const std::string& note,

@@ -13,6 +13,7 @@ namespace {
 constexpr std::size_t kCurvedTracks = 4;
 constexpr std::size_t kTabledTracks = 12;
 constexpr double kTruthReach_m = 2;
+constexpr int kChartWidth_px = 400;  // three fit beside one another, unscaled
 constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 
 /// Confirmed tracks, the longest first; the smaller id where they tie.
@@ -100,7 +101,8 @@ Chart position_chart(const TrackCurve& curve, std::int64_t id, int axis) {
           name + " [m]",
           {axis_series("estimated", curve.frame, curve.estimate, axis, kLine),
            axis_series("measured", curve.frame, curve.measured, axis, kDots),
-           axis_series("truth", curve.frame, curve.truth, axis, kDashed), missed_series(curve)}};
+           axis_series("truth", curve.frame, curve.truth, axis, kDashed), missed_series(curve)},
+          kChartWidth_px};
 }
 
 Chart difference_chart(const TrackCurve& curve, std::int64_t id) {
@@ -116,7 +118,8 @@ Chart difference_chart(const TrackCurve& curve, std::int64_t id) {
           {axis_series("x, lateral", curve.frame, difference, 0, kLine),
            axis_series("y, forward", curve.frame, difference, 1, kLine),
            {},
-           missed_series(curve)}};
+           missed_series(curve)},
+          kChartWidth_px};
 }
 
 /// RMS of estimate minus truth over the shown frames, lateral and forward; empty without truth.

@@ -22,12 +22,8 @@ std::string value_table(std::string_view title, const Rows& rows) {
 }
 
 Rows summary_rows(const TrackReport& report, const TrackReportHeader& header) {
-  const auto confirmed = std::count_if(report.lives().begin(), report.lives().end(),
-                                       [](const auto& entry) { return entry.second.confirmed; });
-  Rows rows{{"frames", fmt::format("{}", report.frames_seen())},
-            {"tracks confirmed", fmt::format("{}", confirmed)},
-            {"tracks started", fmt::format("{}", report.lives().size())}};
-  rows.insert(rows.end(), header.summary.begin(), header.summary.end());
+  Rows rows = header.summary;
+  rows.emplace_back("tracks started", fmt::format("{}", report.lives().size()));
   return rows;
 }
 
@@ -39,6 +35,13 @@ std::string thinning_note(const TrackReport& report) {
   }
   if (report.points_thinned()) note += "Returns are thinned in full frames. ";
   return note.empty() ? "" : "<p class=\"note\">" + note + "All sums are over all frames.</p>";
+}
+
+std::string charts_of(const TrackReportHeader& header) {
+  if (header.charts.empty()) return "";
+  std::string html = "<section class=\"card\"><div class=\"charts\">\n";
+  for (const auto& chart : header.charts) html += line_chart(chart);
+  return html + "</div></section>\n";
 }
 
 constexpr std::string_view kViewer = R"html(
@@ -58,16 +61,23 @@ constexpr std::string_view kViewer = R"html(
 <label><input id="trails" type="checkbox" checked> trails</label>
 <label><input id="ellipses" type="checkbox" checked> ellipses</label>
 <label><input id="truths" type="checkbox" checked> truth</label>
+<label><input id="tentative" type="checkbox" checked> tentative</label>
+<label><input id="clusters" type="checkbox"> clusters in colour</label>
 <button id="fit" title="0">Fit</button>
-<span id="picked"></span>
+<span class="legend"><span style="--c:var(--vehicle)">vehicle</span><span
+style="--c:var(--pedestrian)">pedestrian</span><span style="--c:var(--cyclist)">cyclist</span><span
+style="--c:var(--other)">other</span></span>
 </div>
+<p id="picked" class="note"></p>
 <p class="keys"><kbd>Space</kbd> play <kbd>&larr;</kbd><kbd>&rarr;</kbd> step <kbd>Home</kbd><kbd>End</kbd>
 first, last <kbd>+</kbd><kbd>-</kbd> zoom <kbd>W</kbd><kbd>A</kbd><kbd>S</kbd><kbd>D</kbd> pan <kbd>F</kbd> follow
-<kbd>0</kbd> fit <kbd>Esc</kbd> release; drag, wheel, click a track. Solid boxes are confirmed, dashed tentative,
-faded coasting, dotted truth; ellipses are 2 sigma.</p>
+<kbd>0</kbd> fit <kbd>Esc</kbd> release; drag, wheel, click a track. Colour: class. Thick sides face the sensor,
+dashed towards an end that is hidden; faded: coasting; thin grey: tentative; dotted: truth; arrows: way of one second;
+ellipses: 2 sigma of the centre.</p>
 </section>
 <section class="card"><h2>Tracks over time</h2><canvas id="strip" aria-label="Timeline of tracks"></canvas>
-<p class="keys">thin: tentative; full: confirmed; hollow: coasting. Click to go there.</p></section>
+<p class="keys"><span id="rows"></span>Top: how many are confirmed or coasting. Bars: thin tentative, full confirmed, hollow
+coasting; | birth, x death. Click to go there.</p></section>
 )html";
 
 }  // namespace
@@ -85,6 +95,8 @@ std::string track_report_page(const TrackReport& report, const TrackReportHeader
   html += "<div class=\"cards\">\n" + value_table("Run", summary_rows(report, header)) +
           value_table("Against truth", header.metrics) +
           value_table("Diagnostics", header.diagnostics) + "</div>\n";
+  for (const auto& table : header.tables) html += html_table(table);
+  html += charts_of(header);
   html += "<section class=\"card\"><h2>Estimate minus measurement, beside table 2 of [Lu2018]</h2>";
   html += difference_table(report);
   html +=

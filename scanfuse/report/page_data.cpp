@@ -46,12 +46,13 @@ std::string box_data(const Box2& box) {
 }
 
 std::string track_data(const ReportedTrack& t) {
-  return fmt::format("[{},\"{}\",{},{},{},{},{},{},{},{},{}]", t.id, to_string(t.object_class),
+  const int hidden = (t.left_end_hidden ? 1 : 0) + (t.right_end_hidden ? 2 : 0);
+  return fmt::format("[{},\"{}\",{},{},{},{},{},{},{},{},{},{}]", t.id, to_string(t.object_class),
                      static_cast<int>(t.status), box_data(t.box), fixed(t.velocity_m_per_s.x()),
                      fixed(t.velocity_m_per_s.y()), fixed(t.covariance_m2(0, 0), 4),
                      fixed(t.covariance_m2(0, 1), 4), fixed(t.covariance_m2(1, 1), 4),
                      t.measured ? fixed(t.measured_m.x()) : "null",
-                     t.measured ? fixed(t.measured_m.y()) : "null");
+                     t.measured ? fixed(t.measured_m.y()) : "null", hidden);
 }
 
 std::string truth_data(const TruthObject& object, const Pose2& world_from) {
@@ -71,11 +72,12 @@ std::string frame_data(const ReportedFrame& frame, const TruthFrame* truth, doub
     }
   }
   const Pose2& ego = frame.world_from_ego;
-  return fmt::format(R"({{"f":{},"t":{},"e":[{},{},{}],"p":"{}","c":"{}","k":[{}],"g":{}}})",
-                     frame.frame, fixed(to_seconds(frame.stamp) - start_s, 3), fixed(ego.x_m),
-                     fixed(ego.y_m), fixed(ego.heading_rad, 4), packed_points(frame.points_cm),
-                     base64(frame.point_group), tracks,
-                     truth != nullptr ? "[" + objects + "]" : "null");
+  return fmt::format(
+      R"({{"f":{},"t":{},"e":[{},{},{}],"s":[{},{}],"p":"{}","c":"{}","k":[{}],"g":{}}})",
+      frame.frame, fixed(to_seconds(frame.stamp) - start_s, 3), fixed(ego.x_m), fixed(ego.y_m),
+      fixed(ego.heading_rad, 4), fixed(frame.sensor_m.x()), fixed(frame.sensor_m.y()),
+      packed_points(frame.points_cm), base64(frame.point_group), tracks,
+      truth != nullptr ? "[" + objects + "]" : "null");
 }
 
 }  // namespace

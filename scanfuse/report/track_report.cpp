@@ -37,7 +37,10 @@ ReportedTrack reported_track(const Track& track, const StepResult& step, const P
   out.covariance_m2 = turn * position * turn.transpose();
   if (track.detection >= 0 && track.detection < static_cast<int>(step.detections.size())) {
     out.measured = true;
-    out.measured_m = world_from * step.detections[track.detection].box.centre_m;
+    const Detection& seen = step.detections[static_cast<std::size_t>(track.detection)];
+    out.measured_m = world_from * seen.box.centre_m;
+    out.left_end_hidden = seen.left_end_occluded;
+    out.right_end_hidden = seen.right_end_occluded;
   }
   return out;
 }
@@ -50,6 +53,7 @@ void TrackReport::add(const StepResult& step, const Scan& scan, const VirtualSca
   frame.frame = step.frame;
   frame.stamp = step.stamp;
   frame.world_from_ego = step.world_from_ego.planar();
+  frame.sensor_m = (step.world_from_ego * step.ego_from_sensor).translation_m.head<2>();
   const Pose2 world_from = step.coordinate_frame == "ego" ? frame.world_from_ego : Pose2{};
   for (const Track& track : step.tracks) {
     frame.tracks.push_back(reported_track(track, step, world_from));

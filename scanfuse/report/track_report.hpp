@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "scanfuse/geometry/pose.hpp"
+#include "scanfuse/report/svg_plot.hpp"
+#include "scanfuse/report/table.hpp"
 #include "scanfuse/types/clusters.hpp"
 #include "scanfuse/types/scan.hpp"
 #include "scanfuse/types/track.hpp"
@@ -22,6 +24,8 @@ struct TrackReportHeader {
   std::vector<std::pair<std::string, std::string>> summary;      ///< timing, counts
   std::vector<std::pair<std::string, std::string>> metrics;      ///< against truth; may be empty
   std::vector<std::pair<std::string, std::string>> diagnostics;  ///< what was odd; may be empty
+  std::vector<ReportTable> tables;                               ///< against truth, in more detail
+  std::vector<Chart> charts;                                     ///< beside them
 };
 
 struct TrackReportOptions {
@@ -39,6 +43,8 @@ struct ReportedTrack {
   Eigen::Matrix2d covariance_m2 = Eigen::Matrix2d::Zero();  ///< of the position
   bool measured = false;
   Eigen::Vector2d measured_m = Eigen::Vector2d::Zero();  ///< centre of the detection folded in
+  bool left_end_hidden = false;                          ///< of that detection
+  bool right_end_hidden = false;
 };
 
 /// A frame as the page shows it.
@@ -46,8 +52,9 @@ struct ReportedFrame {
   std::int64_t frame = 0;
   Time stamp;
   Pose2 world_from_ego;
-  std::vector<std::int16_t> points_cm;    ///< x, y of each return in the ego frame
-  std::vector<std::uint8_t> point_group;  ///< 0: noise, else 1 + cluster mod 255
+  Eigen::Vector2d sensor_m = Eigen::Vector2d::Zero();  ///< in the world frame
+  std::vector<std::int16_t> points_cm;                 ///< x, y of each return in the ego frame
+  std::vector<std::uint8_t> point_group;               ///< 0: noise, else 1 + cluster mod 255
   std::vector<ReportedTrack> tracks;
 };
 
@@ -65,7 +72,8 @@ struct TrackLife {
 
 /// Collects a run of the tracker and writes it as one HTML page that needs no other file and no
 /// network: a top view that plays, the curves of [Lu2018, figs. 8-10, 12, 14], a table beside
-/// [Lu2018, table 2], a timeline, the summary. Memory stays within a small multiple of `max_bytes`:
+/// [Lu2018, table 2], a timeline, the summary. Colours tell the class and are told apart by
+/// colour-blind people [Okabe2008]. Memory stays within a small multiple of `max_bytes`:
 /// once it is reached every second frame is dropped, again and again, and the page says so.
 class TrackReport {
  public:

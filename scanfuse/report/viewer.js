@@ -4,7 +4,7 @@
   const frames = data.frames;
   const by = (id) => document.getElementById(id);
   const view = by('view'), strip = by('strip');
-  const TENTATIVE = 0, COASTING = 2;
+  const {TENTATIVE, COASTING, corners, outline, colourOf} = marks;
   const state = {
     at: 0, playing: false, speed: 1, follow: true, picked: null,
     scale: 8, x: 0, y: 0,  // pixels per metre, and what is in the middle (ego or world frame)
@@ -13,7 +13,7 @@
   // Columns of a track row: see track_data in page_data.cpp.
   const trackOf = (r) => ({
     id: r[0], name: r[1], status: r[2], x: r[3], y: r[4], heading: r[5], length: r[6], width: r[7],
-    vx: r[8], vy: r[9], pxx: r[10], pxy: r[11], pyy: r[12], mx: r[13], my: r[14],
+    vx: r[8], vy: r[9], pxx: r[10], pxy: r[11], pyy: r[12], mx: r[13], my: r[14], hidden: r[15],
   });
   for (const frame of frames) frame.k = frame.k.map(trackOf);
 
@@ -27,15 +27,6 @@
   };
 
   let colours = {};
-  const readColours = () => {
-    const style = getComputedStyle(document.documentElement);
-    const get = (name) => style.getPropertyValue(name).trim();
-    colours = {
-      paper: get('--paper'), ink: get('--ink'), muted: get('--muted'), line: get('--line'),
-      accent: get('--accent'), series: [0, 1, 2, 3, 4, 5, 6].map((k) => get('--s' + k)), noise: get('--s7'),
-    };
-  };
-  const colourOf = (id) => colours.series[((id % 7) + 7) % 7];
 
   const sized = (canvas, height) => {
     const ratio = window.devicePixelRatio || 1;
@@ -62,16 +53,6 @@
     };
   };
 
-  const corners = (b) => {
-    const c = Math.cos(b.heading), s = Math.sin(b.heading), l = b.length / 2, w = b.width / 2;
-    return [[l, w], [-l, w], [-l, -w], [l, -w]].map(([u, v]) => [b.x + c * u - s * v, b.y + s * u + c * v]);
-  };
-  const outline = (g, to, points) => {
-    g.beginPath();
-    points.forEach(([x, y], i) => { const p = to(x, y); i ? g.lineTo(p[0], p[1]) : g.moveTo(p[0], p[1]); });
-    g.closePath();
-  };
-
   const drawGrid = (g, w, h, to, frame) => {
     const steps = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000];
     const step = steps.find((m) => m * state.scale > 60) || 2000;
@@ -85,7 +66,7 @@
       g.beginPath();
       g.arc(p[0], p[1], r * state.scale, 0, 2 * Math.PI);
       g.stroke();
-      g.fillText(r + ' m', p[0] + 3, p[1] - r * state.scale - 3);
+      g.fillText(r + ' m', p[0] + 0.6 * r * state.scale + 3, p[1] - 0.8 * r * state.scale - 3);
     }
   };
 
@@ -95,11 +76,10 @@
     const size = Math.max(1.5, Math.min(3, state.scale / 5));
     for (let i = 0; i < frame.group.length; i++) {
       const x = frame.xy[2 * i], y = frame.xy[2 * i + 1], p = to(ex + c * x - s * y, ey + s * x + c * y);
-      g.fillStyle = frame.group[i] ? colours.series[(frame.group[i] * 3) % 7] : colours.noise;
-      g.globalAlpha = frame.group[i] ? 0.95 : 0.55;
+      const cluster = frame.group[i];
+      g.fillStyle = !cluster ? colours.noise : by('clusters').checked ? colours.clusters[(cluster * 3) % 7] : colours.returns;
       g.fillRect(p[0] - size / 2, p[1] - size / 2, size, size);
     }
-    g.globalAlpha = 1;
   };
 
   const drawEgo = (g, to, frame) => {
@@ -121,7 +101,7 @@
   };
 
   const drawTrails = (g, to, frame) => {
-    const alive = new Set(frame.k.map((t) => t.id)), last = new Map();
+    const alive = new Set(frame.k.filter((t) => t.status !== TENTATIVE).map((t) => t.id)), last = new Map();
     g.lineWidth = 1.3;
     for (let i = Math.max(0, state.at - 60); i <= state.at; i++) {
       for (const t of frames[i].k) {
@@ -129,7 +109,7 @@
         const p = to(t.x, t.y), q = last.get(t.id);
         if (q) {
           g.globalAlpha = 0.15 + 0.5 * (1 - (state.at - i) / 60);
-          g.strokeStyle = colourOf(t.id);
+          g.strokeStyle = colourOf(colours, t.name);
           g.beginPath();
           g.moveTo(q[0], q[1]);
           g.lineTo(p[0], p[1]);
@@ -141,52 +121,33 @@
     g.globalAlpha = 1;
   };
 
-  const drawEllipse = (g, to, t) => {
-    const mean = (t.pxx + t.pyy) / 2, spread = Math.hypot((t.pxx - t.pyy) / 2, t.pxy);
-    const a = 2 * Math.sqrt(Math.max(0, mean + spread)), b = 2 * Math.sqrt(Math.max(0, mean - spread));
-    if (!(a < 50)) return;
-    const angle = 0.5 * Math.atan2(2 * t.pxy, t.pxx - t.pyy), c = Math.cos(angle), s = Math.sin(angle);
-    const ring = [];
-    for (let k = 0; k < 28; k++) {
-      const u = a * Math.cos(k * Math.PI / 14), v = b * Math.sin(k * Math.PI / 14);
-      ring.push([t.x + c * u - s * v, t.y + s * u + c * v]);
-    }
-    outline(g, to, ring);
+  const drawTentative = (g, to, t) => {
+    g.globalAlpha = state.picked === t.id ? 1 : 0.35;
+    g.strokeStyle = colours.muted;
     g.lineWidth = 1;
-    g.stroke();
-  };
-
-  const drawTrack = (g, to, t) => {
-    const picked = state.picked === t.id;
-    g.globalAlpha = t.status === COASTING ? 0.4 : 1;
-    g.strokeStyle = g.fillStyle = colourOf(t.id);
-    g.lineWidth = picked ? 3.5 : 2;
-    g.setLineDash(t.status === TENTATIVE ? [6, 4] : []);
     outline(g, to, corners(t));
     g.stroke();
-    g.setLineDash([]);
-    if (picked) { g.globalAlpha *= 0.25; g.fill(); g.globalAlpha = t.status === COASTING ? 0.4 : 1; }
-    const p = to(t.x, t.y), q = to(t.x + t.vx, t.y + t.vy);
-    const long = Math.hypot(q[0] - p[0], q[1] - p[1]);
-    if (long > 4) {
-      const ux = (q[0] - p[0]) / long, uy = (q[1] - p[1]) / long;
-      g.lineWidth = 1.6;
-      g.beginPath();
-      g.moveTo(p[0], p[1]);
-      g.lineTo(q[0], q[1]);
-      g.moveTo(q[0] - 6 * ux + 3 * uy, q[1] - 6 * uy - 3 * ux);
-      g.lineTo(q[0], q[1]);
-      g.lineTo(q[0] - 6 * ux - 3 * uy, q[1] - 6 * uy + 3 * ux);
-      g.stroke();
-    }
-    if (by('ellipses').checked) drawEllipse(g, to, t);
-    if (t.status !== TENTATIVE || picked) {
-      const right = to(t.x, t.y), reach = state.scale * (t.length + t.width) / 3 + 6;
-      g.fillStyle = colours.ink;
-      g.font = (picked ? '600 ' : '') + '12px system-ui, sans-serif';
-      g.fillText(t.id + ' ' + t.name, right[0] + Math.min(reach, 40), right[1] - 6);
-    }
     g.globalAlpha = 1;
+  };
+  const drawTrack = (g, to, t, sensor) => {
+    const picked = state.picked === t.id;
+    g.globalAlpha = t.status === COASTING ? 0.5 : 1;
+    g.strokeStyle = g.fillStyle = colourOf(colours, t.name);
+    if (by('ellipses').checked) marks.ellipse(g, to, t);
+    marks.box(g, to, t, sensor, picked ? 4 : 2.6);
+    marks.arrow(g, to, t);
+    g.globalAlpha = 1;
+  };
+  const drawTracks = (g, to, frame) => {
+    if (by('tentative').checked) frame.k.filter((t) => t.status === TENTATIVE).forEach((t) => drawTentative(g, to, t));
+    const shown = frame.k.filter((t) => t.status !== TENTATIVE);
+    shown.forEach((t) => drawTrack(g, to, t, frame.s));
+    const [ex, ey] = frame.e, label = marks.labeller(g, colours, to(ex, ey));
+    const rank = (t) => (t.id === state.picked ? -1 : Math.hypot(t.x - ex, t.y - ey));  // the nearest first
+    for (const t of [...shown].sort((a, b) => rank(a) - rank(b) || a.id - b.id)) {
+      const speed = Math.hypot(t.vx, t.vy), reach = state.scale * (t.length + t.width) / 4 + 6;
+      label(t.id + (speed > 0.3 ? ' · ' + speed.toFixed(1) + ' m/s' : ''), to(t.x, t.y), Math.min(reach, 60), t.id === state.picked);
+    }
   };
 
   const drawView = () => {
@@ -201,7 +162,7 @@
     if (by('trails').checked) drawTrails(g, to, frame);
     drawEgo(g, to, frame);
     if (by('truths').checked) drawTruth(g, to, frame);
-    for (const t of frame.k) drawTrack(g, to, t);
+    drawTracks(g, to, frame);
     by('clock').value = 'frame ' + frame.f + ' · ' + frame.t.toFixed(2) + ' s';
     by('seek').value = state.at;
     const t = frame.k.find((k) => k.id === state.picked);
@@ -211,44 +172,13 @@
       'track ' + state.picked + ': not here';
   };
 
-  // The strip: one row a track, confirmed ones that lived longest, in order of birth.
-  const rows = (() => {
-    const lives = new Map();
-    frames.forEach((frame, i) => frame.k.forEach((t) => {
-      if (!lives.has(t.id)) lives.set(t.id, {id: t.id, spans: [], confirmed: false});
-      const life = lives.get(t.id), last = life.spans[life.spans.length - 1];
-      life.confirmed = life.confirmed || t.status !== TENTATIVE;
-      if (last && last.status === t.status && last.to === i - 1) last.to = i;
-      else life.spans.push({status: t.status, from: i, to: i});
-    }));
-    const length = (life) => life.spans.reduce((n, s) => n + s.to - s.from + 1, 0);
-    return [...lives.values()].filter((l) => l.confirmed).sort((a, b) => length(b) - length(a)).slice(0, 40)
-      .sort((a, b) => a.spans[0].from - b.spans[0].from || a.id - b.id);
-  })();
-  const ROW = 13, GUTTER = 46;
-  const stripX = (w, i) => GUTTER + (w - GUTTER - 8) * i / Math.max(1, frames.length);
-
+  const lives = timeline(frames);
   const drawStrip = () => {
-    const {g, w, h} = sized(strip, Math.max(30, rows.length * ROW + 10));
-    g.clearRect(0, 0, w, h);
-    g.font = '11px system-ui, sans-serif';
-    rows.forEach((row, k) => {
-      const y = 5 + k * ROW;
-      g.fillStyle = row.id === state.picked ? colours.ink : colours.muted;
-      g.textAlign = 'right';
-      g.fillText(row.id, GUTTER - 8, y + 9);
-      g.strokeStyle = g.fillStyle = colourOf(row.id);
-      for (const s of row.spans) {
-        const x0 = stripX(w, s.from), x1 = Math.max(x0 + 1, stripX(w, s.to + 1));
-        if (s.status === TENTATIVE) g.fillRect(x0, y + 4, x1 - x0, 2);
-        else if (s.status === COASTING) g.strokeRect(x0 + 0.5, y + 2.5, Math.max(1, x1 - x0 - 1), 5);
-        else g.fillRect(x0, y + 1, x1 - x0, 8);
-      }
-    });
-    g.textAlign = 'left';
-    g.fillStyle = colours.ink;
-    g.fillRect(stripX(w, state.at), 0, 1.5, h);
+    const {g, w, h} = sized(strip, lives.height);
+    lives.draw(g, w, h, colours, state.at, state.picked);
   };
+  by('rows').textContent = lives.confirmed > lives.rows.length ?
+    'The ' + lives.rows.length + ' longest of ' + lives.confirmed + ' confirmed tracks. ' : '';
 
   let pending = false;
   const draw = () => {
@@ -292,9 +222,15 @@
     if (state.follow) {
       unpack(frame);
       for (let i = 0; i < frame.group.length; i++) {
-        if (Math.hypot(frame.xy[2 * i], frame.xy[2 * i + 1]) < 60) put(-frame.xy[2 * i + 1], frame.xy[2 * i]);
+        if (Math.hypot(frame.xy[2 * i], frame.xy[2 * i + 1]) < 40) put(-frame.xy[2 * i + 1], frame.xy[2 * i]);
       }
       put(0, 0);
+      put(0, 12);
+      const [ex, ey, eh] = frame.e, c = Math.cos(eh), s = Math.sin(eh);
+      for (const t of frame.k.filter((k) => k.status !== TENTATIVE)) {
+        const dx = t.x - ex, dy = t.y - ey;
+        if (Math.hypot(dx, dy) < 60) put(s * dx - c * dy, c * dx + s * dy);
+      }
     } else {
       for (const f of frames) { put(f.e[0], f.e[1]); f.k.forEach((t) => put(t.x, t.y)); }
     }
@@ -349,9 +285,9 @@
     zoom(Math.exp(-e.deltaY / 500), e.offsetX, e.offsetY);
   }, {passive: false});
   strip.addEventListener('click', (e) => {
-    const row = rows[Math.floor((e.offsetY - 5) / ROW)];
+    const row = lives.rowAt(e.offsetY);
     if (row) state.picked = row.id;
-    go(Math.floor((e.offsetX - GUTTER) / (strip.clientWidth - GUTTER - 8) * frames.length));
+    go(lives.frameAt(strip.clientWidth, e.offsetX));
   });
   document.querySelectorAll('tr[data-track]').forEach((row) => {
     row.addEventListener('click', () => pick(Number(row.dataset.track)));
@@ -382,11 +318,11 @@
   by('speed').onchange = (e) => { state.speed = Number(e.target.value); };
   by('follow').onchange = (e) => setFollow(e.target.checked);
   by('fit').onclick = fit;
-  for (const id of ['trails', 'ellipses', 'truths']) by(id).onchange = draw;
+  for (const id of ['trails', 'ellipses', 'truths', 'tentative', 'clusters']) by(id).onchange = draw;
   window.addEventListener('resize', draw);
-  window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => { readColours(); draw(); });
+  window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => { colours = marks.readColours(); draw(); });
 
-  readColours();
+  colours = marks.readColours();
   const wanted = /^#frame=(\d+)$/.exec(location.hash);
   if (wanted) state.at = Math.max(0, frames.findIndex((f) => f.f >= Number(wanted[1])));
   fit();

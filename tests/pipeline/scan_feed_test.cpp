@@ -4,31 +4,10 @@
 
 #include <vector>
 
+#include "pipeline/list_reader.hpp"
+
 namespace scanfuse::pipeline {
 namespace {
-
-Time at(double seconds) { return time_from_seconds(1000 + seconds); }
-
-/// Plays a list of events.
-class ListReader final : public io::RecordingReader {
- public:
-  explicit ListReader(std::vector<io::Event> events, std::vector<io::TopicInfo> topics = {})
-      : events_(std::move(events)) {
-    info_.topics = std::move(topics);
-  }
-  const io::RecordingInfo& info() const override { return info_; }
-  Result<std::optional<io::Event>> next() override {
-    if (place_ == events_.size()) return std::nullopt;
-    return events_[place_++];
-  }
-  const Diagnostics& diagnostics() const override { return diagnostics_; }
-
- private:
-  io::RecordingInfo info_;
-  Diagnostics diagnostics_;
-  std::vector<io::Event> events_;
-  std::size_t place_ = 0;
-};
 
 io::Event scan_event(double seconds, const std::string& frame = "laser") {
   Scan scan;
@@ -163,6 +142,27 @@ TEST(ScanFeed, ALoopInTfIsCutAndHangsNothing) {
                                              std::vector{topic("/tf", "tf2_msgs/TFMessage")}),
                 {});
   EXPECT_EQ(drain(feed).size(), 2u);
+}
+
+TEST(ScanFeed, NotesScansAtAFrozenPoseAndChangesNothingElse) {
+  std::vector<io::Event> events;
+  for (int k = 0; k < 40; ++k) {
+    events.push_back(odometry_event(0.1 * k, 0.3 * std::min(k, 20)));  // 3 m/s, then stuck
+    events.push_back(scan_event(0.1 * k));
+  }
+  ScanFeed feed(std::make_unique<ListReader>(std::move(events),
+                                             std::vector{topic("/odom", "nav_msgs/Odometry")}),
+                {});
+  const auto scans = drain(feed);
+  ASSERT_EQ(scans.size(), 40U);
+  EXPECT_NEAR(scans[30].world_from_ego.translation_m.x(), 6, 1e-9);
+  const Diagnostics diagnostics = feed.diagnostics();
+  ASSERT_GT(diagnostics.count("scan at a frozen ego pose"), 0);
+  const auto& entry = diagnostics.entries().at("scan at a frozen ego pose");
+  EXPECT_GE(entry.count, 14);
+  EXPECT_LE(entry.count, 19);
+  EXPECT_NE(entry.first.find("the same since 1002.0"), std::string::npos) << entry.first;
+  EXPECT_FALSE(entry.damage);
 }
 
 }  // namespace

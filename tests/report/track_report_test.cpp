@@ -130,6 +130,40 @@ TEST(TrackReport, EmbedsAllFramesAsJson) {
   EXPECT_NEAR(json["frames"][5]["t"].get<double>(), 0.4, 1e-9);
 }
 
+TEST(TrackReport, TellsTheSensorAndWhichEndsAreHidden) {
+  Drive d = drive_at(10);
+  d.step.ego_from_sensor.translation_m.x() = 2;
+  d.step.detections[0].left_end_occluded = true;
+  d.step.detections[1].right_end_occluded = true;
+  TrackReport report;
+  report.add(d.step, d.scan, &d.flat, &d.clusters);
+  const auto frame = nlohmann::json::parse(track_report_data(report))["frames"][0];
+  EXPECT_EQ(frame["k"][0][15], 1);
+  EXPECT_EQ(frame["k"][1][15], 2);
+  EXPECT_NEAR(frame["s"][0].get<double>() - frame["e"][0].get<double>(), 2, 0.02);
+}
+
+TEST(TrackReport, ShowsTablesAndChartsAgainstTruthEscaped) {
+  TrackReportHeader with = header();
+  with.tables = {{"Each <class>", {"class", "recall"}, {{"vehicle", "0.98"}}, "note & more"}};
+  with.charts = {
+      {"vehicle: against range", "range [m]", "share", {{"recall", {{5, 1}, {15, 0.9}}}}}};
+  const std::string page = driven(3).html(with);
+  EXPECT_NE(page.find("Each &lt;class&gt;"), std::string::npos);
+  EXPECT_NE(page.find("<td>0.98</td>"), std::string::npos);
+  EXPECT_NE(page.find("note &amp; more"), std::string::npos);
+  EXPECT_NE(page.find("vehicle: against range"), std::string::npos);
+}
+
+TEST(TrackReport, HasAColourForEveryClassOfRoadUser) {
+  const std::string page = driven(3).html(header());
+  for (const auto* name : {"vehicle", "pedestrian", "cyclist", "other"}) {
+    const std::string variable = std::string("--") + name + ": #";
+    EXPECT_NE(page.find(variable), std::string::npos) << name;
+    EXPECT_NE(page.find("var(--" + std::string(name) + ")"), std::string::npos) << name;
+  }
+}
+
 TEST(TrackReport, StaysWithinItsSizeAndSaysSo) {
   TrackReportOptions options;
   options.max_bytes = 40'000;

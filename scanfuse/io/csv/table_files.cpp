@@ -1,6 +1,8 @@
 #include "scanfuse/io/atomic_file.hpp"
 #include "scanfuse/io/csv/csv_table.hpp"
 #include "scanfuse/io/csv/tables_of_lines.hpp"
+#include "scanfuse/io/kitti/box_line.hpp"
+#include "scanfuse/io/kitti/detections.hpp"
 #include "scanfuse/io/kitti/labels.hpp"
 #include "scanfuse/io/mcap/result_writer.hpp"
 
@@ -61,7 +63,9 @@ TableKind table_kind(const std::filesystem::path& path) {
   if (trimmed(first).starts_with('{')) {
     return first.find("\"track_id\"") == first.npos ? TableKind::kNone : TableKind::kTracks;
   }
-  if (is_kitti_label(first)) return TableKind::kTruth;
+  const KittiLayout kitti = kitti_layout(first);
+  if (kitti == KittiLayout::kTracking) return TableKind::kTruth;
+  if (kitti != KittiLayout::kNone) return TableKind::kDetections;
   return table_kind_of_header(first);
 }
 
@@ -95,7 +99,8 @@ Result<std::vector<StepResult>> read_tracks(const std::filesystem::path& path,
 Result<std::vector<TruthFrame>> read_truth(const std::filesystem::path& path,
                                            Diagnostics* diagnostics) {
   Diagnostics ignored;
-  if (auto lines = LineReader::open(path); lines && is_kitti_label(lines->peek_content(ignored))) {
+  if (auto lines = LineReader::open(path);
+      lines && kitti_layout(lines->peek_content(ignored)) == KittiLayout::kTracking) {
     return read_kitti_labels(path, diagnostics != nullptr ? *diagnostics : ignored);
   }
   return read_table_file(path, diagnostics, &read_truth_table);
@@ -107,8 +112,17 @@ Result<std::vector<PoseSample>> read_ego(const std::filesystem::path& path,
 }
 
 Result<std::vector<DetectionFrame>> read_detections(const std::filesystem::path& path,
-                                                    Diagnostics* diagnostics) {
+                                                    Diagnostics* diagnostics,
+                                                    const KittiOptions& kitti) {
+  Diagnostics unasked;
+  if (holds_kitti_boxes(path)) {
+    return read_kitti_detections(path, kitti, diagnostics != nullptr ? *diagnostics : unasked);
+  }
   return read_table_file(path, diagnostics, &read_detection_table);
+}
+
+bool holds_detections(const std::filesystem::path& path) {
+  return table_kind(path) == TableKind::kDetections || holds_kitti_boxes(path);
 }
 
 Result<void> write_detections(const std::filesystem::path& path,

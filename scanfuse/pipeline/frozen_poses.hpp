@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "scanfuse/core/time.hpp"
+#include "scanfuse/geometry/pose.hpp"
+
+namespace scanfuse::pipeline {
+
+/// Finds where a pose froze: it stays the same to the last bit for half a second and five messages
+/// or more, and came to that from a speed that no brake takes off within one message (8 m/s^2).
+/// A vehicle that comes to rest is not meant. Samples in order of time; what steps back is left
+/// out.
+class FrozenPoses {
+ public:
+  void add(Time stamp, const Pose3& pose);
+  /// Since when the pose at `stamp` had been frozen; nothing where it was not, as far as the
+  /// samples so far tell.
+  [[nodiscard]] std::optional<Time> frozen_since(Time stamp) const;
+
+ private:
+  struct Span {
+    Time from;
+    Time to;
+  };
+  void start_run(Time stamp, const Pose3& pose);
+
+  std::vector<Span> spans_;
+  std::optional<Span> run_;  ///< of the last pose
+  Pose3 pose_;
+  int messages_ = 0;
+  bool stopped_dead_ = false;
+  bool listed_ = false;  ///< the run is the last of `spans_`
+};
+
+}  // namespace scanfuse::pipeline
