@@ -101,7 +101,7 @@ Target birth(const Detection& detection, int index, std::int64_t id, Time stamp,
   target.heading.covariance = Eigen::Vector2d(m.var_heading_rad2 + 0.01, 0.25).asDiagonal();
   target.class_weight[static_cast<std::size_t>(detection.object_class)] =
       std::clamp(detection.score, 0.0, 1.0);
-  believe(target, detection.class_probability, stamp, options.belief.get());
+  believe(target, detection, stamp, options.belief.get());
   target.z_m = detection.z_m;
   target.height_m = detection.height_m;
   target.born = target.seen = stamp;

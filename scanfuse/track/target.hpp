@@ -67,8 +67,7 @@ struct Target {
 [[nodiscard]] bool is_clutter(const Target& target);
 
 /// Folds in what a detection says of the class, after the motion; without a model nothing.
-void believe(Target& target, const ClassProbabilities& detected, Time stamp,
-             const BeliefModel* model);
+void believe(Target& target, const Detection& detection, Time stamp, const BeliefModel* model);
 
 /// The target as a value to report. When it is confirmed and moves with a probability below
 /// `moving_from` it stands: velocity zero, what was believed of it added to its covariance.
