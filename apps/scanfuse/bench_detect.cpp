@@ -94,7 +94,8 @@ std::vector<BenchRow> rows_of(const std::string& method, const evaluate::ClassSc
     }
   }
   add("clutter called a road user", score.clutter_per_scan(), "per scan", 0.1, true);
-  add("of it, tracks of at least 1 s", score.old_clutter_per_scan(), "per scan", {}, true);
+  add("of it, tracks of at least 1 s", score.old_clutter_per_scan(), "per scan", 0.1, true);
+  add("of these, second tracks of a road user", score.old_seconds_per_scan(), "per scan", {}, true);
   add("expected calibration error", score.reliability().expected_calibration_error(), "", 0.05,
       true);
   return rows;

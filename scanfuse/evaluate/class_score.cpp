@@ -178,6 +178,10 @@ void ClassScore::count_tracks(const StepResult& step, const TruthFrame& truth,
     if (confirmed && o < 0 && is_road_user(track.object_class)) {
       ++clutter_;
       old_clutter_ += old ? 1 : 0;
+      const bool second = std::ranges::any_of(truth.objects, [&](const TruthObject& object) {
+        return apart(object, places[t]).has_value();
+      });
+      old_seconds_ += old && second ? 1 : 0;
     }
     if (!old) continue;
     const bool right = kind == track.object_class;
@@ -209,6 +213,7 @@ void ClassScore::merge(const ClassScore& other) {
   scans_ += other.scans_;
   clutter_ += other.clutter_;
   old_clutter_ += other.old_clutter_;
+  old_seconds_ += other.old_seconds_;
 }
 
 std::optional<double> ClassScore::precision(ObjectClass kind, double range_m) const {
@@ -231,6 +236,11 @@ std::optional<double> ClassScore::clutter_per_scan() const {
 std::optional<double> ClassScore::old_clutter_per_scan() const {
   if (scans_ == 0) return std::nullopt;
   return static_cast<double>(old_clutter_) / static_cast<double>(scans_);
+}
+
+std::optional<double> ClassScore::old_seconds_per_scan() const {
+  if (scans_ == 0) return std::nullopt;
+  return static_cast<double>(old_seconds_) / static_cast<double>(scans_);
 }
 
 }  // namespace scanfuse::evaluate

@@ -64,6 +64,8 @@ class ClassScore {
   [[nodiscard]] std::optional<double> clutter_per_scan() const;
   /// The same of tracks a second old or older.
   [[nodiscard]] std::optional<double> old_clutter_per_scan() const;
+  /// Of these, second tracks: near an object that another track follows.
+  [[nodiscard]] std::optional<double> old_seconds_per_scan() const;
   [[nodiscard]] const Counts& counts(ObjectClass kind) const {
     return counts_[static_cast<std::size_t>(kind)];
   }
@@ -91,6 +93,7 @@ class ClassScore {
   std::int64_t scans_ = 0;
   std::int64_t clutter_ = 0;
   std::int64_t old_clutter_ = 0;
+  std::int64_t old_seconds_ = 0;
   std::map<std::int64_t, Watch> objects_;
   std::map<std::int64_t, Time> born_;
 };

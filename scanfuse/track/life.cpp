@@ -139,7 +139,11 @@ void promote(Target& target, const TrackerOptions& options) {
   const double life_s = to_seconds(target.seen - target.born);
   const bool is_small = class_of(target) != ObjectClass::kVehicle;
   const double trust = is_small ? std::min(life_s / kFullTrust_s, 1.0) : 1.0;
-  if (other <= options.confirm_other_probability * trust) target.is_trusted = true;
+  if (other <= options.confirm_other_probability * trust) {
+    target.is_trusted = true;
+  } else if (other > options.doubt_other_probability) {
+    target.is_trusted = false;
+  }
 }
 
 bool is_part_of(const Detection& detection, std::span<const Target> targets) {

@@ -38,7 +38,7 @@ struct Target {
   std::array<double, 5> class_weight{};    ///< sum of scores, by ObjectClass
   ClassBelief belief;                      ///< where detections tell class probabilities
   ClassProbabilities class_probability{};  ///< what came of it; all zero: class_weight decides
-  bool is_trusted = false;  ///< has ever been surely no clutter: else reported as tentative
+  bool is_trusted = false;  ///< was surely no clutter and is not doubted since: else tentative
   Time born;
   Time seen;
   int age_frames = 0;
