@@ -69,7 +69,7 @@ using BeliefTerms = Eigen::Matrix<double, kBeliefTerms, 1>;
 /// up for it. They come from `scanfuse learn classes`, by regression on tracks that the recogniser
 /// was not fitted to.
 struct BeliefModel {
-  double memory_s = 3.0;  ///< evidence fades by 1/e in this time
+  double memory_s = 2.0;  ///< evidence fades by 1/e in this time
   double full_s = 0.1;    ///< detections nearer in time than this count in proportion
   std::array<double, kBelievedClasses> prior{0.25, 0.25, 0.25, 0.25};  ///< that detections carry
   Eigen::Matrix<double, kBelievedClasses, kBeliefTerms> weights;
