@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Learns the classes that come with the library, from simulated scenes only (seeds 1 to 999; the
-# benchmark draws from 1001). Takes about ten minutes of one core, 2 GB of disk. Usage: tools/learn_classes.sh [WORK_FOLDER]
+# benchmark draws from 1001). Takes about ten minutes of one core and 2 GB of disk.
+# Usage: tools/learn_classes.sh [WORK_FOLDER]
 set -euo pipefail
 cd "$(dirname "$0")/.."
 tool=build/release/scanfuse
