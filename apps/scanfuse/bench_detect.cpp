@@ -10,10 +10,11 @@
 namespace scanfuse::app {
 namespace {
 
-/// What one seed gives to each chain.
+/// What one seed of a scenario gives to each chain.
 Result<std::vector<evaluate::ClassScore>> score_seed(
-    std::uint64_t seed, const std::vector<pipeline::PerceptionOptions>& chains) {
-  auto simulation = simulate::Simulation::create("road-users", seed);
+    const std::string& scenario, std::uint64_t seed,
+    const std::vector<pipeline::PerceptionOptions>& chains) {
+  auto simulation = simulate::Simulation::create(scenario, seed);
   if (!simulation) return tl::unexpected(simulation.error());
   pipeline::PoseBuffer ego;
   std::vector<simulate::SimulatedFrame> frames;
@@ -36,6 +37,32 @@ Result<std::vector<evaluate::ClassScore>> score_seed(
     scores.push_back(std::move(score));
   }
   return scores;
+}
+
+/// Where the chains are judged: the street that most was learned from, and streets of other kinds.
+struct TestSet {
+  std::string prefix;
+  std::string scenario;
+  std::uint64_t seeds_on = 0;  ///< so much is added to the seeds
+};
+const std::array<TestSet, 2> kTestSets{
+    {{"", "road-users", 0}, {"mixed streets, ", "mixed-streets", 1000}}};
+
+/// One score for each chain, over all seeds.
+Result<std::vector<evaluate::ClassScore>> score_set(
+    const TestSet& set, const SeedRange& range,
+    const std::vector<pipeline::PerceptionOptions>& chains, int threads) {
+  std::vector<Result<std::vector<evaluate::ClassScore>>> outcomes(
+      static_cast<std::size_t>(range.count));
+  parallel_for(outcomes.size(), threads, [&](std::size_t i) {
+    outcomes[i] = score_seed(set.scenario, range.first + set.seeds_on + i, chains);
+  });
+  std::vector<evaluate::ClassScore> sums(chains.size());
+  for (const auto& outcome : outcomes) {
+    if (!outcome) return tl::unexpected(outcome.error());
+    for (std::size_t c = 0; c < chains.size(); ++c) sums[c].merge((*outcome)[c]);
+  }
+  return sums;
 }
 
 struct ClassGoal {
@@ -62,10 +89,13 @@ std::vector<BenchRow> rows_of(const std::string& method, const evaluate::ClassSc
       const auto to = fmt::format("{} to {:.0f} m ", goal.name, kRanges_m[i]);
       add(to + "precision", score.precision(goal.kind, kRanges_m[i]), "", goal.at_least[i], false);
       add(to + "recall", score.recall(goal.kind, kRanges_m[i]), "", goal.at_least[i], false);
+      add(to + "recall, followed for 1 s", score.recall_of_followed(goal.kind, kRanges_m[i]), "",
+          goal.at_least[i], false);
     }
   }
   add("clutter called a road user", score.clutter_per_scan(), "per scan", 0.1, true);
-  add("of it, tracks of at least 1 s", score.old_clutter_per_scan(), "per scan", {}, true);
+  add("of it, tracks of at least 1 s", score.old_clutter_per_scan(), "per scan", 0.1, true);
+  add("of these, second tracks of a road user", score.old_seconds_per_scan(), "per scan", {}, true);
   add("expected calibration error", score.reliability().expected_calibration_error(), "", 0.05,
       true);
   return rows;
@@ -87,18 +117,16 @@ Result<std::vector<BenchRow>> bench_detect(const SeedRange& range,
     }
     chains.push_back(std::move(*chain));
   }
-  std::vector<Result<std::vector<evaluate::ClassScore>>> outcomes(
-      static_cast<std::size_t>(range.count));
-  parallel_for(outcomes.size(), threads,
-               [&](std::size_t i) { outcomes[i] = score_seed(range.first + i, chains); });
-  std::vector<evaluate::ClassScore> sums(chains.size());
-  for (const auto& outcome : outcomes) {
-    if (!outcome) return tl::unexpected(outcome.error());
-    for (std::size_t c = 0; c < chains.size(); ++c) sums[c].merge((*outcome)[c]);
+  std::vector<BenchRow> rows;
+  for (const auto& set : kTestSets) {
+    auto scores = score_set(set, range, chains, threads);
+    if (!scores) return tl::unexpected(scores.error());
+    for (std::size_t c = 0; c < chains.size(); ++c) {
+      const std::string method = c == 0 ? "softmax" : "intervals of [Guo]";
+      const auto more = rows_of(set.prefix + method, (*scores)[c], c == 0);
+      rows.insert(rows.end(), more.begin(), more.end());
+    }
   }
-  auto rows = rows_of("softmax", sums[0], true);
-  const auto more = rows_of("intervals of [Guo]", sums[1], false);
-  rows.insert(rows.end(), more.begin(), more.end());
   return rows;
 }
 

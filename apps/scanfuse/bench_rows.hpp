@@ -72,9 +72,9 @@ struct SeedRange {
                                                         const std::vector<std::string>& changes,
                                                         int threads);
 
-/// How well road users are told apart in the scenario road-users, by tracks of the preset of that
-/// name with changes, and by the intervals of [Guo] in its place. What is counted stands at
-/// evaluate::ClassScore. Seeds 1 to 999 are for learning.
+/// How well road users are told apart in the scenarios road-users and mixed-streets (seeds 1000
+/// higher), by tracks of the preset road-users with changes, and by the intervals of [Guo] in its
+/// place. What is counted stands at evaluate::ClassScore. Seeds 1 to 999 are for learning.
 [[nodiscard]] Result<std::vector<BenchRow>> bench_detect(const SeedRange& seeds,
                                                          const std::vector<std::string>& changes,
                                                          int threads);

@@ -12,6 +12,12 @@ double breadth_m(const Box2& box) {
   return box.length_m * std::abs(std::sin(turn)) + box.width_m * std::abs(std::cos(turn));
 }
 
+/// How many points a full face of that breadth would have.
+double points_expected(const Outline& outline, double metre) {
+  const double gap = std::max(outline.beam_gap_m * metre, 0.005);
+  return std::max(breadth_m(outline.box) * metre / gap, 1.0);
+}
+
 double log_within(double value, double low, double high) {
   return std::log(std::clamp(value, low, high));
 }
@@ -20,9 +26,10 @@ double log_within(double value, double low, double high) {
 
 const std::array<std::string_view, kFeatures>& feature_names() {
   static constexpr std::array<std::string_view, kFeatures> kNames{
-      "log_points", "log_range",    "log_beam_gap", "log_fill",  "log_length",       "log_width",
-      "height",     "log_support",  "log_residual", "roundness", "log_range_spread", "coverage",
-      "line_count", "inlier_share", "hidden_ends",  "free_ends", "vehicle_score",    "log_alone"};
+      "log_points",       "log_range",     "log_beam_gap", "log_fill",      "log_length",
+      "log_width",        "height",        "log_support",  "log_residual",  "roundness",
+      "log_range_spread", "coverage",      "line_count",   "inlier_share",  "hidden_ends",
+      "free_ends",        "vehicle_score", "log_alone",    "layered_share", "log_layer_depth"};
   return kNames;
 }
 
@@ -47,17 +54,16 @@ double alone_m(std::span<const Outline> outlines, std::size_t of, double limit_m
 
 Features features_of(std::span<const Outline> outlines, std::size_t of, double vehicle_score,
                      double scale) {
-  constexpr double kFarAway_m = 4;
+  constexpr double kFarAway_m = 4, kUsualLayerDepth_m = 0.05;
   const Outline& outline = outlines[of];
   const double metre = 1 / scale;
   const double gap = std::max(outline.beam_gap_m * metre, 0.005);
-  const double expected = std::max(breadth_m(outline.box) * metre / gap, 1.0);
   const bool cut = outline.left_end_occluded || outline.right_end_occluded;
   Features x{};
   x[kLogPoints] = log_within(outline.points, 1, 1000);
   x[kLogRange] = log_within(outline.box.centre_m.norm() * metre, 0.5, 200);
   x[kLogBeamGap] = log_within(gap, 0.005, 2);
-  x[kLogFill] = log_within(outline.points / expected, 0.05, 20);
+  x[kLogFill] = log_within(outline.points / points_expected(outline, metre), 0.05, 20);
   x[kLogLength] = log_within(outline.box.length_m * metre + 0.1, 0.1, 15);
   x[kLogWidth] = log_within(outline.box.width_m * metre + 0.1, 0.1, 5);
   x[kHeight] = std::clamp((outline.z_high_m - outline.z_low_m) * metre, 0.0, 2.0);
@@ -74,7 +80,24 @@ Features features_of(std::span<const Outline> outlines, std::size_t of, double v
   x[kFreeEnds] = outline.faces_seen == 2 && !cut ? 1 : 0;
   x[kVehicleScore] = vehicle_score;
   x[kLogAlone] = std::log(alone_m(outlines, of, kFarAway_m * scale) * metre + 0.1);
+  x[kLayeredShare] = std::clamp(outline.layered_share, 0.0, 1.0);
+  const double layer_depth =
+      outline.layered_share > 0 ? outline.layer_depth_m * metre : kUsualLayerDepth_m;
+  x[kLogLayerDepth] = log_within(layer_depth + 0.01, 0.01, 1);
   return x;
+}
+
+ShapeCues cues_of(const Outline& outline, double scale) {
+  const double metre = 1 / scale;
+  ShapeCues cues;
+  cues.range_m = outline.box.centre_m.norm() * metre;
+  cues.breadth_m = breadth_m(outline.box) * metre;
+  cues.depth_m = std::sqrt(std::max(outline.var_range_m2, 0.0)) * metre;
+  cues.fill = outline.points / points_expected(outline, metre);
+  cues.height_m = (outline.z_high_m - outline.z_low_m) * metre;
+  cues.layered_share = outline.layered_share;
+  cues.layer_depth_m = outline.layer_depth_m * metre;
+  return cues;
 }
 
 }  // namespace scanfuse::classify

@@ -4,6 +4,7 @@
 #include <span>
 #include <string_view>
 
+#include "scanfuse/types/detection.hpp"
 #include "scanfuse/types/outline.hpp"
 
 namespace scanfuse::classify {
@@ -17,7 +18,7 @@ enum Feature : int {
   kLogFill,         ///< ln of points against those expected at its range and size
   kLogLength,       ///< ln(length + 0.1 m) of the longer face
   kLogWidth,        ///< ln(width + 0.1 m) of the other one, as far as seen
-  kHeight,          ///< between its lowest and highest point, m, at most 2: 0 for one layer
+  kHeight,          ///< between its lowest and highest return, m, at most 2: 0 for one layer
   kLogSupport,      ///< ln of the layers that agree, mean over the points
   kLogResidual,     ///< ln(rms distance from the faces + 1 cm)
   kRoundness,       ///< smaller by larger principal deviation [Arras2007: circularity]
@@ -29,6 +30,8 @@ enum Feature : int {
   kFreeEnds,        ///< 1: both ends were seen of each of two faces
   kVehicleScore,    ///< of the rules in vehicle_rules.hpp
   kLogAlone,  ///< ln(distance to the next outline, at most 4 m, + 0.1 m): foliage comes in pieces
+  kLayeredShare,   ///< of the points, those that several layers see; 0: the next two tell nothing
+  kLogLayerDepth,  ///< ln(how far apart layers see the same bearing + 1 cm); unknown: of 5 cm
   kFeatures
 };
 
@@ -45,5 +48,8 @@ using Features = std::array<double, kFeatures>;
 /// of the scene against a real road.
 [[nodiscard]] Features features_of(std::span<const Outline> outlines, std::size_t of,
                                    double vehicle_score, double scale = 1);
+
+/// What a track averages of an outline.
+[[nodiscard]] ShapeCues cues_of(const Outline& outline, double scale = 1);
 
 }  // namespace scanfuse::classify

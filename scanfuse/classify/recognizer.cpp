@@ -108,7 +108,10 @@ void Recognizer::add_by_softmax(std::span<const Outline> outlines, std::size_t o
   const ObjectClass kind = expected ? ObjectClass::kVehicle : likeliest_user(p);
   const std::size_t before = detections_.size();
   add_as(outline, kind, std::max(1 - other, expected ? kLeastExpectedScore : 0.0));
-  if (detections_.size() > before) detections_.back().class_probability = p;
+  if (detections_.size() > before) {
+    detections_.back().class_probability = p;
+    detections_.back().cues = cues_of(outline, scale_);
+  }
 }
 
 void Recognizer::add_by_intervals(const Outline& outline) {

@@ -146,6 +146,9 @@ void ClassScore::count_objects(const StepResult& step, const TruthFrame& truth,
     Counts& of = counts_[index_of(object.object_class)];
     ++of.objects[bin];
     const int t = track_of_object[o];
+    const auto born = t < 0 ? born_.end() : born_.find(step.tracks[t].id);
+    const bool followed = born != born_.end() && to_seconds(step.stamp - born->second) >= kWatch_s;
+    of.followed[bin] += followed ? 1 : 0;
     if (t < 0) {
       ++of.untracked[bin];
     } else if (step.tracks[t].object_class != object.object_class) {
@@ -154,6 +157,7 @@ void ClassScore::count_objects(const StepResult& step, const TruthFrame& truth,
       ++of.tentative[bin];
     } else {
       ++of.found[bin];
+      of.named[bin] += followed ? 1 : 0;
     }
   }
 }
@@ -174,6 +178,10 @@ void ClassScore::count_tracks(const StepResult& step, const TruthFrame& truth,
     if (confirmed && o < 0 && is_road_user(track.object_class)) {
       ++clutter_;
       old_clutter_ += old ? 1 : 0;
+      const bool second = std::ranges::any_of(truth.objects, [&](const TruthObject& object) {
+        return apart(object, places[t]).has_value();
+      });
+      old_seconds_ += old && second ? 1 : 0;
     }
     if (!old) continue;
     const bool right = kind == track.object_class;
@@ -194,6 +202,8 @@ void ClassScore::merge(const ClassScore& other) {
       counts_[c].untracked[i] += other.counts_[c].untracked[i];
       counts_[c].tentative[i] += other.counts_[c].tentative[i];
       counts_[c].misnamed[i] += other.counts_[c].misnamed[i];
+      counts_[c].followed[i] += other.counts_[c].followed[i];
+      counts_[c].named[i] += other.counts_[c].named[i];
       counts_[c].said[i] += other.counts_[c].said[i];
       counts_[c].right[i] += other.counts_[c].right[i];
     }
@@ -203,6 +213,7 @@ void ClassScore::merge(const ClassScore& other) {
   scans_ += other.scans_;
   clutter_ += other.clutter_;
   old_clutter_ += other.old_clutter_;
+  old_seconds_ += other.old_seconds_;
 }
 
 std::optional<double> ClassScore::precision(ObjectClass kind, double range_m) const {
@@ -213,6 +224,10 @@ std::optional<double> ClassScore::recall(ObjectClass kind, double range_m) const
   return ratio(counts(kind).found, counts(kind).objects, range_m);
 }
 
+std::optional<double> ClassScore::recall_of_followed(ObjectClass kind, double range_m) const {
+  return ratio(counts(kind).named, counts(kind).followed, range_m);
+}
+
 std::optional<double> ClassScore::clutter_per_scan() const {
   if (scans_ == 0) return std::nullopt;
   return static_cast<double>(clutter_) / static_cast<double>(scans_);
@@ -221,6 +236,11 @@ std::optional<double> ClassScore::clutter_per_scan() const {
 std::optional<double> ClassScore::old_clutter_per_scan() const {
   if (scans_ == 0) return std::nullopt;
   return static_cast<double>(old_clutter_) / static_cast<double>(scans_);
+}
+
+std::optional<double> ClassScore::old_seconds_per_scan() const {
+  if (scans_ == 0) return std::nullopt;
+  return static_cast<double>(old_seconds_) / static_cast<double>(scans_);
 }
 
 }  // namespace scanfuse::evaluate

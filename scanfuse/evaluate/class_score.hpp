@@ -30,6 +30,8 @@ struct Reliability {
 ///
 /// - Recall: of the objects that showed at least 3 returns in 4 of 5 scans of the last second, the
 ///   share that a confirmed track of their class follows now. Misses count.
+/// - Recall of those followed: of these objects only those that a track a second old or older
+///   follows, tentative or confirmed, right class or not.
 /// - Precision: of the confirmed tracks a second old or older said to be of a class, the share that
 ///   follows an object of it.
 /// - Clutter: confirmed tracks said to be a road user that follow no object at all, per scan.
@@ -46,6 +48,8 @@ class ClassScore {
     std::array<std::int64_t, kRangeBins> objects{}, found{}, said{}, right{};
     /// Why objects were not found: no track at all, one that is tentative, one of another class.
     std::array<std::int64_t, kRangeBins> untracked{}, tentative{}, misnamed{};
+    /// Of the objects, those that a track a second old or older follows, and of these the found.
+    std::array<std::int64_t, kRangeBins> followed{}, named{};
   };
 
   /// Scans of one recording in order; a new one begins with `start_recording`.
@@ -56,9 +60,12 @@ class ClassScore {
   /// Up to a range; none without any.
   [[nodiscard]] std::optional<double> precision(ObjectClass kind, double range_m) const;
   [[nodiscard]] std::optional<double> recall(ObjectClass kind, double range_m) const;
+  [[nodiscard]] std::optional<double> recall_of_followed(ObjectClass kind, double range_m) const;
   [[nodiscard]] std::optional<double> clutter_per_scan() const;
   /// The same of tracks a second old or older.
   [[nodiscard]] std::optional<double> old_clutter_per_scan() const;
+  /// Of these, second tracks: near an object that another track follows.
+  [[nodiscard]] std::optional<double> old_seconds_per_scan() const;
   [[nodiscard]] const Counts& counts(ObjectClass kind) const {
     return counts_[static_cast<std::size_t>(kind)];
   }
@@ -86,6 +93,7 @@ class ClassScore {
   std::int64_t scans_ = 0;
   std::int64_t clutter_ = 0;
   std::int64_t old_clutter_ = 0;
+  std::int64_t old_seconds_ = 0;
   std::map<std::int64_t, Watch> objects_;
   std::map<std::int64_t, Time> born_;
 };

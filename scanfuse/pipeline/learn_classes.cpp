@@ -213,7 +213,8 @@ void SampleCollector::take_tracks(std::span<const std::optional<int>> labels, fl
     const Eigen::Vector2d place(t.state.mean(0), t.state.mean(2));
     const double variance = (t.state.covariance(1, 1) + t.state.covariance(3, 3)) / 2;
     auto& belief = beliefs_[t.id];
-    belief.add(detection.class_probability, place, last_->stamp, classes_->belief);
+    belief.add({detection.class_probability, detection.cues, place, last_->stamp},
+               classes_->belief);
     const auto& label = labels[perception_.sources()[static_cast<std::size_t>(t.detection)]];
     if (!keep || !label || belief.is_empty()) continue;
     tracks.push_back({belief.terms({place, t.speed_m_per_s, std::sqrt(std::max(variance, 0.0))}),

@@ -61,6 +61,9 @@ VirtualScan scaled(VirtualScan scan, double factor) {
     p.y_m *= narrow;
     p.z_m *= narrow;
     p.range_m *= narrow;
+    p.z_low_m *= narrow;
+    p.z_high_m *= narrow;
+    p.depth_m *= narrow;
   }
   scan.sigma_range_m *= factor;
   return scan;

@@ -42,10 +42,18 @@ class VirtualScanBuilder {
   void sort_into_columns(const Scan& scan);
   [[nodiscard]] std::uint32_t column_by_bearing(const Scan& scan, const LevelPoint& point) const;
   void pick_points(const Scan& scan, GroundMethod method);
-  [[nodiscard]] int support_of(std::span<const RangeKey> column) const;
+  /// What agrees on the nearest return of a column.
+  struct Support {
+    int layers = 1;
+    float z_low_m = 0, z_high_m = 0, depth_m = 0;
+  };
+  [[nodiscard]] Support support_of(std::span<const RangeKey> column) const;
+  [[nodiscard]] static Support alone(const LevelPoint& point) {
+    return {1, point.z_m, point.z_m, 0};
+  }
   void pick_column(const Scan& scan, std::span<const RangeKey> column, GroundMethod method);
   [[nodiscard]] bool is_lonely_ground(const LevelPoint& point, GroundMethod method) const;
-  void emit(const Scan& scan, const LevelPoint& point, int support);
+  void emit(const Scan& scan, const LevelPoint& point, const Support& support);
   void order_by_bearing();
   void drop_lonely();
 

@@ -42,18 +42,24 @@ void VirtualScanBuilder::sort_into_columns(const Scan& scan) {
   for (const LevelPoint& p : points_) order[ends[p.column]++] = RangeKey(p.range_m, index++);
 }
 
-int VirtualScanBuilder::support_of(std::span<const RangeKey> column) const {
+VirtualScanBuilder::Support VirtualScanBuilder::support_of(std::span<const RangeKey> column) const {
   const float reach = column[0].range_m() + static_cast<float>(options_.support_m);
   std::uint64_t layers = 0;
+  Support support = alone(points_[column[0].index()]);
   int count = 0, distinct = 0;
   for (const RangeKey key : column) {
     if (key.range_m() > reach) break;
-    const int layer = points_[key.index()].layer & 63;
+    const LevelPoint& p = points_[key.index()];
+    support.z_low_m = std::min(support.z_low_m, p.z_m);
+    support.z_high_m = std::max(support.z_high_m, p.z_m);
+    support.depth_m = key.range_m() - column[0].range_m();
+    const int layer = p.layer & 63;
     distinct += (layers >> layer & 1) == 0 ? 1 : 0;
     layers |= 1ULL << layer;
     ++count;
   }
-  return layered_ ? distinct : count;
+  support.layers = layered_ ? distinct : count;
+  return support;
 }
 
 bool VirtualScanBuilder::is_lonely_ground(const LevelPoint& point, GroundMethod method) const {
@@ -76,7 +82,8 @@ void VirtualScanBuilder::pick_points(const Scan& scan, GroundMethod method) {
     begin = end;
     if (column.empty()) continue;
     if (one_layer && most_per_bearing_ == 1) {
-      emit(scan, points_[std::ranges::min(column).index()], 1);
+      const LevelPoint& nearest = points_[std::ranges::min(column).index()];
+      emit(scan, nearest, alone(nearest));
     } else if (FewKeys few; column.size() <= few.size()) {
       few = sorted_few(rest, column.size());
       pick_column(scan, std::span(few).first(column.size()), method);
@@ -98,20 +105,23 @@ void VirtualScanBuilder::pick_column(const Scan& scan, std::span<const RangeKey>
   const LevelPoint* lonely = nullptr;
   int kept = 0;
   bool group_done = false;
-  const auto keep = [&](const LevelPoint& p, int support) {
+  const auto keep = [&](const LevelPoint& p, const Support& support) {
     if (kept >= most_per_bearing_) return;
     emit(scan, p, support);
     ++kept;
   };
   for (std::size_t i = 0; i < column.size() && kept < most_per_bearing_; ++i) {
     if (i > 0 && column[i].range_m() - column[i - 1].range_m() > separation) {
-      if (each_group && lonely != nullptr) keep(*std::exchange(lonely, nullptr), 1);
+      if (each_group && lonely != nullptr) {
+        const LevelPoint& last = *std::exchange(lonely, nullptr);
+        keep(last, alone(last));
+      }
       group_done = false;
     }
     if (group_done) continue;
     const LevelPoint& p = points_[column[i].index()];
-    const int support = support_of(column.subspan(i));
-    if (support > 1) {
+    const Support support = support_of(column.subspan(i));
+    if (support.layers > 1) {
       keep(p, support);
       group_done = true;
       if (each_group) lonely = nullptr;
@@ -119,10 +129,10 @@ void VirtualScanBuilder::pick_column(const Scan& scan, std::span<const RangeKey>
       lonely = &p;
     }
   }
-  if (lonely != nullptr && (each_group || kept == 0)) keep(*lonely, 1);
+  if (lonely != nullptr && (each_group || kept == 0)) keep(*lonely, alone(*lonely));
 }
 
-void VirtualScanBuilder::emit(const Scan& scan, const LevelPoint& point, int support) {
+void VirtualScanBuilder::emit(const Scan& scan, const LevelPoint& point, const Support& support) {
   const Return& r = scan.returns[point.source];
   constexpr float kLongestSweep_s = 60;  // what claims more, or is no number, is not known
   const float offset = std::abs(r.time_offset_s) < kLongestSweep_s ? r.time_offset_s : 0;
@@ -130,7 +140,8 @@ void VirtualScanBuilder::emit(const Scan& scan, const LevelPoint& point, int sup
                                      : beams_.bearing_of(point.x_m, point.y_m, r.beam);
   virtual_scan_.points.push_back({point.x_m, point.y_m, point.z_m, point.range_m, angle, offset,
                                   static_cast<std::int32_t>(point.column), point.source,
-                                  static_cast<std::uint8_t>(std::min(support, 255))});
+                                  static_cast<std::uint8_t>(std::min(support.layers, 255)),
+                                  support.z_low_m, support.z_high_m, support.depth_m});
 }
 
 void VirtualScanBuilder::order_by_bearing() {

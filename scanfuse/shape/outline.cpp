@@ -50,20 +50,25 @@ int hidden_columns(const VirtualScan& scan, std::uint32_t from, std::uint32_t to
 void set_summary(const VirtualScan& scan, std::span<const std::uint32_t> order, double nearer_by_m,
                  Outline& outline) {
   const PlanarPoint& front = scan.points[order.front()];
-  outline.z_low_m = outline.z_high_m = front.z_m;
-  double sum = 0, squares = 0, offsets = 0, support = 0;
+  outline.z_low_m = front.z_low_m;
+  outline.z_high_m = front.z_high_m;
+  double sum = 0, squares = 0, offsets = 0, support = 0, layered = 0, layer_depth = 0;
   for (const std::uint32_t i : order) {
     const PlanarPoint& p = scan.points[i];
     offsets += p.time_offset_s;
-    outline.z_low_m = std::min<double>(outline.z_low_m, p.z_m);
-    outline.z_high_m = std::max<double>(outline.z_high_m, p.z_m);
+    outline.z_low_m = std::min<double>(outline.z_low_m, p.z_low_m);
+    outline.z_high_m = std::max<double>(outline.z_high_m, p.z_high_m);
     const double d = p.range_m - front.range_m;
     sum += d;
     squares += d * d;
     support += p.support;
+    layered += p.support > 1 ? 1 : 0;
+    layer_depth += p.depth_m;
   }
   const auto count = static_cast<double>(order.size());
   outline.mean_support = support / count;
+  outline.layered_share = layered / count;
+  outline.layer_depth_m = layer_depth / std::max(layered, 1.0);
   outline.beam_gap_m = scan.step_rad * (front.range_m + sum / count);
   outline.time_offset_s = offsets / count;
   outline.var_range_m2 = std::max(squares / count - (sum / count) * (sum / count), 0.0);

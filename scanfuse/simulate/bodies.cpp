@@ -73,6 +73,23 @@ Actor make_car(std::int64_t id, const CarSize& size, RandomStream& random) {
   return car;
 }
 
+Actor make_van(std::int64_t id, RandomStream& random) {
+  const double l = random.uniform(4.4, 6.0), w = random.uniform(1.85, 2.1);
+  const double h = random.uniform(1.9, 2.7);
+  const Surface paint{static_cast<float>(random.uniform(0.25, 0.75)), 0.12F, false};
+  Actor van{id, ObjectClass::kVehicle, l, w, h, {}, {}, {}, {}};
+  van.footprint = rounded_rectangle(l, w, random.uniform(0.2, 0.35), random.uniform(0.05, 0.15));
+  Part body;
+  add_loft(body.mesh, inset(van.footprint, {0.05, 0.05}), 0.2, van.footprint, 0.4, paint);
+  add_loft(body.mesh, van.footprint, 0.4, van.footprint, 1.0, paint);
+  const double slope = random.uniform(0.5, 1.1);  // of the windscreen
+  const auto roof = rounded_rectangle(l - slope, 0.92 * w, 0.2, 0.1);
+  add_loft(body.mesh, van.footprint, 1.0, shifted(roof, {-slope / 2, 0}), h, paint);
+  add_wheels(body.mesh, l, w);
+  van.parts.push_back(std::move(body));
+  return van;
+}
+
 Actor make_truck(std::int64_t id, RandomStream& random) {
   const double l = random.uniform(7, 12), w = 2.5, h = random.uniform(3, 3.8);
   const Surface paint{static_cast<float>(random.uniform(0.3, 0.7)), 0.12F, false};

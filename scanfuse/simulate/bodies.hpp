@@ -16,6 +16,8 @@ struct CarSize {
 /// and a cabin, sides that lean, and wheels, so that layers at different heights see it
 /// differently.
 [[nodiscard]] Actor make_car(std::int64_t id, const CarSize& size, RandomStream& random);
+/// One box from bumper to roof, 4.4-6 m x 1.85-2.1 m x 1.9-2.7 m.
+[[nodiscard]] Actor make_van(std::int64_t id, RandomStream& random);
 [[nodiscard]] Actor make_truck(std::int64_t id, RandomStream& random);
 /// Torso, head, two legs and two arms that swing at `steps_per_s`; 0: stands.
 [[nodiscard]] Actor make_pedestrian(std::int64_t id, double steps_per_s, RandomStream& random);

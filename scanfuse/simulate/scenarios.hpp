@@ -21,6 +21,7 @@ namespace scanfuse::simulate {
 [[nodiscard]] World empty_road(RandomStream random);
 [[nodiscard]] World crossing(RandomStream random);
 [[nodiscard]] World road_users(RandomStream random);
+[[nodiscard]] World mixed_streets(RandomStream random);
 [[nodiscard]] World curved_road(RandomStream random);
 [[nodiscard]] World curved_road_cyclist(RandomStream random);
 

@@ -100,6 +100,10 @@ SensorModel sensor_model(SensorPreset preset) {
     // 12 mm, beam 15 mrad.
     case SensorPreset::kSickLms111:
       return planar(beams_deg(-135, 0.5, 541, 1, 0.5, 20), 50, 0.012, 0.015, 18);
+    // SICK LMS291 data sheet: 180 deg, 1 deg at 75 Hz, 80 m (30 m at 10 %), statistical error 10
+    // mm; spot about 13 mrad.
+    case SensorPreset::kSickLms291:
+      return planar(beams_deg(-90, 1, 181, 1, 0.5, 80), 75, 0.01, 0.013, 30);
     // Hokuyo UTM-30LX data sheet: 270 deg, 0.25 deg, 40 Hz, 0.1-30 m, repeatability below 1 cm to
     // 10 m and 3 cm to 30 m.
     case SensorPreset::kHokuyoUtm30:

@@ -9,12 +9,22 @@
 
 namespace scanfuse::simulate {
 
-enum class SensorPreset { kLux, kSickLms111, kHokuyoUtm30, kRplidarA2, kVlp16, kHdl32, kHdl64 };
+enum class SensorPreset {
+  kLux,
+  kSickLms111,
+  kSickLms291,
+  kHokuyoUtm30,
+  kRplidarA2,
+  kVlp16,
+  kHdl32,
+  kHdl64
+};
 
 constexpr auto choices(SensorPreset) {
   using enum SensorPreset;
   return std::array{std::pair{"lux", kLux},
                     std::pair{"sick-lms111", kSickLms111},
+                    std::pair{"sick-lms291", kSickLms291},
                     std::pair{"hokuyo-utm30", kHokuyoUtm30},
                     std::pair{"rplidar-a2", kRplidarA2},
                     std::pair{"vlp16", kVlp16},

@@ -20,12 +20,19 @@ constexpr std::array kScenarios{
     Scenario{{"empty-road", "nobody but the ego car"}, empty_road},
     Scenario{{"crossing", "an intersection with crossing and turning cars"}, crossing},
     Scenario{{"road-users", "cars, pedestrians, cyclists and clutter to 60 m"}, road_users},
+    Scenario{{"mixed-streets", "road users and clutter on a street of another kind each seed"},
+             mixed_streets},
     Scenario{{"curved-road", "a bend at up to 0.22 rad/s with oncoming cars"}, curved_road},
     Scenario{{"curved-road-cyclist", "the same, and a cyclist crosses it"}, curved_road_cyclist},
 };
 
 // An instant in the life of every simulated recording: 2018-07-01 00:00 UTC.
 constexpr std::int64_t kStartSeconds = 1530403200;
+
+SensorModel mounted(SensorModel model, const SimulateOptions& options) {
+  if (options.height_m > 0) model.ego_from_sensor.translation_m.z() = options.height_m;
+  return model;
+}
 
 TruthObject truth_of(const Actor& actor, double t_s) {
   TruthObject object;
@@ -52,7 +59,7 @@ struct Simulation::State {
 
   State(World built, const SimulateOptions& options, std::uint64_t seed)
       : world(std::move(built)),
-        scanner(world, sensor_model(options.sensor), options, seed),
+        scanner(world, mounted(sensor_model(options.sensor), options), options, seed),
         frames(options.frames > 0 ? options.frames : scenario_frames()) {}
   State(const State&) = delete;
   State& operator=(const State&) = delete;

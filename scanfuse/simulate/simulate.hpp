@@ -22,6 +22,7 @@ struct SimulateOptions {
   double dropout = 0.005;
   double divergence = 1;
   double vibration = 1;
+  double height_m = 0;
 
   static constexpr auto fields() {
     using O = SimulateOptions;
@@ -35,6 +36,8 @@ struct SimulateOptions {
               "beam width as a multiple of the sensor's own; 0: lines"},
         Field{"vibration", &O::vibration, 0.0, 20.0,
               "pitch, roll and heave of the ego car, as a multiple of the usual (about 0.25 deg)"},
+        Field{"height_m", &O::height_m, 0.0, 10.0,
+              "of the sensor above the ground; 0: where it usually is"},
     };
   }
 };

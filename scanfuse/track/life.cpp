@@ -101,7 +101,7 @@ Target birth(const Detection& detection, int index, std::int64_t id, Time stamp,
   target.heading.covariance = Eigen::Vector2d(m.var_heading_rad2 + 0.01, 0.25).asDiagonal();
   target.class_weight[static_cast<std::size_t>(detection.object_class)] =
       std::clamp(detection.score, 0.0, 1.0);
-  believe(target, detection.class_probability, stamp, options.belief.get());
+  believe(target, detection, stamp, options.belief.get());
   target.z_m = detection.z_m;
   target.height_m = detection.height_m;
   target.born = target.seen = stamp;
@@ -139,7 +139,11 @@ void promote(Target& target, const TrackerOptions& options) {
   const double life_s = to_seconds(target.seen - target.born);
   const bool is_small = class_of(target) != ObjectClass::kVehicle;
   const double trust = is_small ? std::min(life_s / kFullTrust_s, 1.0) : 1.0;
-  if (other <= options.confirm_other_probability * trust) target.is_trusted = true;
+  if (other <= options.confirm_other_probability * trust) {
+    target.is_trusted = true;
+  } else if (other > options.doubt_other_probability) {
+    target.is_trusted = false;
+  }
 }
 
 bool is_part_of(const Detection& detection, std::span<const Target> targets) {

@@ -69,7 +69,8 @@ struct TrackerOptions {
   double coast_sigma_m = 2.5;
   int coast_frames = 0;
   double max_gap_s = 2;
-  double confirm_other_probability = 0.4;
+  double confirm_other_probability = 0.3;
+  double doubt_other_probability = 0.4;
   bool births_inside_tracks = false;
   /// Filters class probabilities over time; without it the class is that of the largest sum of
   /// scores. The pipeline puts it in where the recogniser tells probabilities.
@@ -117,6 +118,8 @@ struct TrackerOptions {
         Field{"confirm_other_probability", &O::confirm_other_probability, 0.0, 1.0,
               "a track more surely no road user is not confirmed; a small one in its first second "
               "needs less"},
+        Field{"doubt_other_probability", &O::doubt_other_probability, 0.0, 1.0,
+              "and one that has become more surely so is tentative again"},
         Field{"births_inside_tracks", &O::births_inside_tracks,
               "start tracks inside the box of a confirmed one"},
     };

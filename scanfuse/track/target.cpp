@@ -24,10 +24,10 @@ bool is_clutter(const Target& target) {
   return target.class_probability[static_cast<std::size_t>(ObjectClass::kOther)] > 0.5;
 }
 
-void believe(Target& target, const ClassProbabilities& detected, Time stamp,
-             const BeliefModel* model) {
-  if (model == nullptr || !tells_classes(detected)) return;
-  target.belief.add(detected, target.position_m(), stamp, *model);
+void believe(Target& target, const Detection& detection, Time stamp, const BeliefModel* model) {
+  if (model == nullptr || !tells_classes(detection.class_probability)) return;
+  target.belief.add({detection.class_probability, detection.cues, target.position_m(), stamp},
+                    *model);
   target.class_probability = target.belief.probabilities(motion_of(target), *model);
 }
 

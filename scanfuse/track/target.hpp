@@ -38,7 +38,7 @@ struct Target {
   std::array<double, 5> class_weight{};    ///< sum of scores, by ObjectClass
   ClassBelief belief;                      ///< where detections tell class probabilities
   ClassProbabilities class_probability{};  ///< what came of it; all zero: class_weight decides
-  bool is_trusted = false;  ///< has ever been surely no clutter: else reported as tentative
+  bool is_trusted = false;  ///< was surely no clutter and is not doubted since: else tentative
   Time born;
   Time seen;
   int age_frames = 0;
@@ -67,8 +67,7 @@ struct Target {
 [[nodiscard]] bool is_clutter(const Target& target);
 
 /// Folds in what a detection says of the class, after the motion; without a model nothing.
-void believe(Target& target, const ClassProbabilities& detected, Time stamp,
-             const BeliefModel* model);
+void believe(Target& target, const Detection& detection, Time stamp, const BeliefModel* model);
 
 /// The target as a value to report. When it is confirmed and moves with a probability below
 /// `moving_from` it stands: velocity zero, what was believed of it added to its covariance.

@@ -139,7 +139,7 @@ void update(Target& target, const Detection& detection, int index, Time stamp, d
   update_moving(target, dt_s, options);
   target.class_weight[static_cast<std::size_t>(detection.object_class)] +=
       std::clamp(detection.score, 0.0, 1.0);
-  believe(target, detection.class_probability, stamp, options.belief.get());
+  believe(target, detection, stamp, options.belief.get());
   target.z_m += 0.3 * (detection.z_m - target.z_m);
   target.height_m = std::max(target.height_m, detection.height_m);
   target.seen = stamp;

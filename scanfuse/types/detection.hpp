@@ -8,6 +8,18 @@
 
 namespace scanfuse {
 
+/// What one scan shows of a shape, before any prior: a track averages it to tell its class. Real
+/// metres, whatever the scale of the scene. All zero: not told.
+struct ShapeCues {
+  double range_m = 0;
+  double breadth_m = 0;      ///< of the box, across the line of sight
+  double depth_m = 0;        ///< standard deviation of the points' ranges
+  double fill = 0;           ///< points against those expected at its range and breadth
+  double height_m = 0;       ///< between its lowest and highest return; 0 for one layer
+  double layered_share = 0;  ///< of its points, those that several layers see; 0: nothing is known
+  double layer_depth_m = 0;  ///< how far apart those layers see it
+};
+
 /// One object seen in one scan. Planar, in the frame of the stage that made it: the levelled sensor
 /// frame out of `classify`, the tracking (world) frame once the pipeline has moved it there.
 struct Detection {
@@ -15,6 +27,7 @@ struct Detection {
   double score = 1;  ///< 0..1
   /// By ObjectClass, adding up to 1; all zero: the recogniser tells no probabilities.
   ClassProbabilities class_probability{};
+  ShapeCues cues;
   Box2 box;             ///< heading known mod pi at best, mod pi/2 when one face is seen
   double z_m = 0;       ///< centre height above the frame's origin
   double height_m = 0;  ///< 0: not known

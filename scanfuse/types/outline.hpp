@@ -35,8 +35,8 @@ struct Outline {
   bool right_end_occluded = false;
   int points = 0;
   double time_offset_s =
-      0;  ///< when its beams were fired, after the scan's stamp: mean of its points
-  double z_low_m = 0;
+      0;               ///< when its beams were fired, after the scan's stamp: mean of its points
+  double z_low_m = 0;  ///< of the returns that its points stand for
   double z_high_m = 0;
   double var_range_m2 = 0;   ///< variance of the points' ranges, a feature of [Guo]
   double residual_m = 0;     ///< rms distance of all points from the seen faces
@@ -45,6 +45,8 @@ struct Outline {
   double roundness = 0;      ///< smaller by larger principal deviation of the points, 0..1
   double beam_gap_m = 0;     ///< from beam to beam at its range; 0: not known
   double mean_support = 1;   ///< layers that agree, mean over the points: tells of height
+  double layered_share = 0;  ///< of the points, those that several layers agree on
+  double layer_depth_m = 0;  ///< how far apart layers see the same bearing, mean over those points
   double var_length_m2 = 0;  ///< of the box's extent between two free ends
   double var_width_m2 = 0;
   std::uint32_t cluster = 0;   ///< which cluster of the scan

@@ -20,6 +20,9 @@ struct PlanarPoint {
   std::int32_t column = 0;   ///< bearing bin; neighbours differ by one
   std::uint32_t source = 0;  ///< index into Scan::returns
   std::uint8_t support = 1;  ///< layers that agree
+  float z_low_m = 0;         ///< of their returns, the lowest and the highest
+  float z_high_m = 0;
+  float depth_m = 0;  ///< how far their ranges lie apart: a post stands upright, a person does not
 };
 
 /// A sweep flattened to the plane, sorted by bearing: what segmentation and shape work on.

@@ -36,6 +36,17 @@ TEST(Features, ScaleMakesAModelLookLikeTheRealThing) {
   EXPECT_NEAR(a[kLogRangeSpread], b[kLogRangeSpread], 1e-9);
 }
 
+// One layer says nothing of how upright a thing is: neither "upright" nor "leaning".
+TEST(Features, OneLayerHasAUsualLayerDepthAndSaysThatItIsUnknown) {
+  std::vector<Outline> outlines{line_of(0.5, 0.01), line_of(0.5, 0.01)};
+  outlines[1].layered_share = 1;
+  outlines[1].layer_depth_m = 0.05;
+  const auto one = features_of(outlines, 0, 0), four = features_of(outlines, 1, 0);
+  EXPECT_EQ(one[kLogLayerDepth], four[kLogLayerDepth]);
+  EXPECT_EQ(one[kLayeredShare], 0);
+  EXPECT_EQ(four[kLayeredShare], 1);
+}
+
 TEST(FitSoftmax, RecoversTheProbabilitiesThatLabelsWereDrawnWith) {
   RandomStream random(3);
   const int n = 20000;

@@ -57,6 +57,21 @@ TEST(VirtualScanBuilder, KeepsOnePointOfEachBearingWithTheLayersThatAgree) {
   }
 }
 
+TEST(VirtualScanBuilder, APointKnowsTheHeightAndDepthOfWhatItStandsFor) {
+  VirtualScanBuilder build;
+  Scan scan = wall(20, 440, 4);
+  const double lowest = scan.returns.front().z_m, highest = scan.returns.back().z_m;
+  for (Return& r : scan.returns) {
+    if (r.layer == 3) r = return_at(20.2, std::atan2(r.y_m, r.x_m), r.z_m, r.beam, r.layer);
+  }
+  for (const PlanarPoint& p : build(scan).points) {
+    EXPECT_NEAR(p.z_low_m, lowest, 1e-4);
+    EXPECT_NEAR(p.z_high_m, highest, 1e-4);
+    EXPECT_NEAR(p.depth_m, 0.2, 1e-3);
+  }
+  for (const PlanarPoint& p : build(wall(20, 440, 1)).points) EXPECT_EQ(p.depth_m, 0);
+}
+
 TEST(VirtualScanBuilder, ALonelyReturnOfTheLowestLayerIsGround) {
   Scan scan = wall(40, 100, 4);
   for (int c = 0; c < 100; ++c) {

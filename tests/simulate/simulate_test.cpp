@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <set>
@@ -99,6 +100,32 @@ TEST(Simulation, NoReturnFarFromAnObjectBearsItsName) {
     }
   }
   EXPECT_GT(checked, 5000);
+}
+
+TEST(Simulation, MixedStreetsHoldEveryClassAndDifferFromSeedToSeed) {
+  std::array<int, kObjectClasses> seen{};
+  std::set<std::size_t> sizes;
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    auto run = simulation("mixed-streets", seed, 2);
+    const auto frame = run.next();
+    ASSERT_TRUE(frame);
+    sizes.insert(frame->truth.objects.size());
+    for (const auto& object : frame->truth.objects) {
+      seen[static_cast<std::size_t>(object.object_class)] += object.visible_points.value_or(0) > 2;
+    }
+  }
+  EXPECT_GT(sizes.size(), 1U);
+  for (const auto kind : {ObjectClass::kVehicle, ObjectClass::kPedestrian, ObjectClass::kCyclist}) {
+    EXPECT_GT(seen[static_cast<std::size_t>(kind)], 0) << to_string(kind);
+  }
+}
+
+TEST(Simulation, TheSensorStandsAsHighAsIsAsked) {
+  SimulateOptions options;
+  options.height_m = 1.2;
+  const auto run = Simulation::create("mixed-streets", 1, options);
+  ASSERT_TRUE(run);
+  EXPECT_EQ(run->ego_from_sensor().translation_m.z(), 1.2);
 }
 
 TEST(Simulation, TruthMovesAsItsVelocitySays) {
