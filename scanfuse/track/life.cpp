@@ -163,7 +163,8 @@ bool is_over(const Target& target, Time stamp, const TrackerOptions& options) {
   const double seen_s = to_seconds(target.seen - target.born);
   const double worst = std::max(target.state.covariance(kX, kX), target.state.covariance(kY, kY));
   const double earned_s = std::max(kLeastCoast_s, options.coast_share * seen_s);
-  return unseen_s > std::min(options.coast_s, earned_s) + kStampRounding_s ||
+  return unseen_s > options.coast_s + kStampRounding_s ||
+         unseen_s - target.hidden_s > earned_s + kStampRounding_s ||
          worst > options.coast_sigma_m * options.coast_sigma_m;
 }
 

@@ -37,8 +37,9 @@ void predict(std::vector<Target>& targets, double dt_s, const TrackerOptions& op
 void update(Target& target, const Detection& detection, int index, Time stamp, double dt_s,
             const TrackerOptions& options);
 
-/// A scan went by without the target.
-void miss(Target& target);
+/// A scan went by without the target, `dt_s` after the last one. Was it hidden, that is no evidence
+/// of its absence: it does not use up the time unseen that the target has earned.
+void miss(Target& target, double dt_s, bool is_hidden);
 
 /// Tentative until `confirm_hits` of the last `confirm_window` scans hit it.
 void promote(Target& target, const TrackerOptions& options);
@@ -55,7 +56,7 @@ void reseat(Target& target, const Detection& detection, const TrackerOptions& op
 [[nodiscard]] bool is_part_of(const Detection& detection, std::span<const Target> targets);
 
 /// Whether a target is given up: tentative and no longer able to be confirmed, or unseen too long.
-/// A confirmed target earns its time unseen by having been seen.
+/// A confirmed target earns its time unseen by having been seen; time hidden is free.
 [[nodiscard]] bool is_over(const Target& target, Time stamp, const TrackerOptions& options);
 
 /// Removes the younger of two targets that lie in one another and move alike.

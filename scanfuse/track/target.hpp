@@ -41,6 +41,7 @@ struct Target {
   bool is_trusted = false;  ///< has ever been surely no clutter: else reported as tentative
   Time born;
   Time seen;
+  double hidden_s = 0;  ///< of the time since `seen`, how long something nearer stood before it
   int age_frames = 0;
   int missed_frames = 0;
   std::uint32_t history = 0;  ///< one bit a scan, the latest lowest: 1 is a hit

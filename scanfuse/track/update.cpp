@@ -143,13 +143,15 @@ void update(Target& target, const Detection& detection, int index, Time stamp, d
   target.z_m += 0.3 * (detection.z_m - target.z_m);
   target.height_m = std::max(target.height_m, detection.height_m);
   target.seen = stamp;
+  target.hidden_s = 0;
   target.detection = index;
   target.missed_frames = 0;
   ++target.age_frames;
   target.history = (target.history << 1) | 1U;
 }
 
-void miss(Target& target) {
+void miss(Target& target, double dt_s, bool is_hidden) {
+  if (is_hidden) target.hidden_s += dt_s;
   target.detection = -1;
   target.nis = 0;
   ++target.missed_frames;
