@@ -46,6 +46,10 @@ class VirtualScanBuilder {
   void pick_column(const Scan& scan, std::span<const RangeKey> column, GroundMethod method);
   [[nodiscard]] bool is_lonely_ground(const LevelPoint& point, GroundMethod method) const;
   void emit(const Scan& scan, const LevelPoint& point, int support);
+  [[nodiscard]] float height_m(float z_m) const;
+  [[nodiscard]] bool may_be_ground(const PlanarPoint& point) const;
+  [[nodiscard]] bool goes_on(const PlanarPoint& row, const PlanarPoint& next) const;
+  void drop_low_rows(GroundMethod method);
   void order_by_bearing();
   void drop_lonely();
 
@@ -59,6 +63,7 @@ class VirtualScanBuilder {
   std::vector<std::uint32_t> ends_;  ///< of each column in `order_`
   std::vector<RangeKey> order_;      ///< points by column, by range within
   std::vector<std::uint8_t> keep_;
+  std::vector<std::size_t> row_;  ///< of points that may be ground
   std::int16_t lowest_layer_ = 0;
   bool layered_ = false;
   int most_per_bearing_ = 1;
