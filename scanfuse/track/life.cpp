@@ -162,9 +162,13 @@ bool is_over(const Target& target, Time stamp, const TrackerOptions& options) {
   const double unseen_s = to_seconds(stamp - target.seen);
   const double seen_s = to_seconds(target.seen - target.born);
   const double worst = std::max(target.state.covariance(kX, kX), target.state.covariance(kY, kY));
-  const double earned_s = std::max(kLeastCoast_s, options.coast_share * seen_s);
-  return unseen_s > options.coast_s + kStampRounding_s ||
-         unseen_s - target.hidden_s > earned_s + kStampRounding_s ||
+  const auto earned_s = [&](double share) { return std::max(kLeastCoast_s, share * seen_s); };
+  const double hidden_share = target.is_steady
+                                  ? std::max(options.coast_share, options.coast_hidden_share)
+                                  : options.coast_share;
+  const double open_s = unseen_s - target.hidden_s;
+  return unseen_s > std::min(options.coast_s, earned_s(hidden_share)) + kStampRounding_s ||
+         open_s > earned_s(options.coast_share) + kStampRounding_s ||
          worst > options.coast_sigma_m * options.coast_sigma_m;
 }
 

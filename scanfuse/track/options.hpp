@@ -51,7 +51,7 @@ struct TrackerOptions {
   associate::Method associator = associate::Method::kGlobal;
   Distance distance = Distance::kMahalanobis;
   Start start = Start::kVelocityPrior;
-  Motion motion = Motion::kCv;
+  Motion motion = Motion::kCtrv;
   double gate_probability = 0.999;
   double gate_distance_m = 4;
   double unassigned_cost = 10;
@@ -66,6 +66,7 @@ struct TrackerOptions {
   int confirm_window = 5;
   double coast_s = 1.6;
   double coast_share = 0.35;
+  double coast_hidden_share = 1.5;
   double coast_sigma_m = 2.5;
   int coast_frames = 0;
   double max_gap_s = 2;
@@ -108,6 +109,8 @@ struct TrackerOptions {
         Field{"coast_s", &O::coast_s, 0.0, 60.0, "a confirmed track lives so long unseen"},
         Field{"coast_share", &O::coast_share, 0.0, 100.0,
               "nor longer than this share of the time it had been seen"},
+        Field{"coast_hidden_share", &O::coast_hidden_share, 0.0, 100.0,
+              "the same where something nearer hides it"},
         Field{"coast_sigma_m", &O::coast_sigma_m, 0.1, 100.0,
               "nor past the scan when its place is known no better than this"},
         Field{"coast_frames", &O::coast_frames, 0, 1000,
@@ -133,6 +136,7 @@ struct TrackerOptions {
   options.associator = associate::Method::kDetectionGreedy;
   options.distance = Distance::kEuclidean;
   options.start = Start::kPaper;
+  options.motion = Motion::kCv;
   options.sigma_accel = 0;
   options.confirm_hits = 1;
   options.confirm_window = 1;

@@ -44,6 +44,7 @@ struct Target {
   double hidden_s = 0;  ///< of the time since `seen`, how long something nearer stood before it
   int age_frames = 0;
   int missed_frames = 0;
+  bool is_steady = false;     ///< was seen in most of the scans before the last that saw it
   std::uint32_t history = 0;  ///< one bit a scan, the latest lowest: 1 is a hit
   int detection = -1;
   double nis = 0;

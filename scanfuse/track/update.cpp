@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <optional>
 
@@ -19,6 +20,10 @@ constexpr double kAccelMemory_s = 0.5;
 constexpr double kAccelRise_s = 0.7;
 constexpr double kAccelDecay_s = 1.5;
 constexpr double kUnsureSpeedDecay_s = 0.5;
+/// Hits among the last eight scans: who has them is an object, and may be looked for where it
+/// hides.
+constexpr std::uint32_t kRecentScans = 0xff;
+constexpr int kSteadyHits = 6;
 /// Distance of a detection's centre from its seen end is not bounded by the gate: search farther.
 constexpr double kLongestHalf_m = 4;
 
@@ -148,6 +153,7 @@ void update(Target& target, const Detection& detection, int index, Time stamp, d
   target.missed_frames = 0;
   ++target.age_frames;
   target.history = (target.history << 1) | 1U;
+  target.is_steady = std::popcount(target.history & kRecentScans) >= kSteadyHits;
 }
 
 void miss(Target& target, double dt_s, bool is_hidden) {
