@@ -17,8 +17,10 @@ namespace scanfuse::preprocess {
 
 /// Flattens a scan of any number of layers to one point a bearing: levels it by the mounting, keeps
 /// the region of interest, takes the ground away, and keeps of each bearing the nearest return that
-/// another layer supports (or, where none has support, the nearest that is not ground). A point
-/// that then has neither support nor a neighbour is dropped. Every result is ordered by bearing.
+/// another layer supports (or, where none has support, the nearest that is not ground). A row of
+/// low points that one layer alone sees is ground when it is longer than a vehicle, or of fewer
+/// than three. A point that then has neither support nor a neighbour is dropped. Every result is
+/// ordered by bearing.
 ///
 /// Bearings are binned by the beam pattern where the scan has one, else by `step_rad`, else by the
 /// median step found in the data (0.1 to 1 deg; at least 0.2 deg for clouds).

@@ -173,7 +173,7 @@ bool is_over(const Target& target, Time stamp, const TrackerOptions& options) {
 }
 
 void merge_duplicates(std::vector<Target>& targets, Workspace& workspace) {
-  auto& [grid, candidates, superfluous] = workspace;
+  auto& [grid, candidates, superfluous, mixed] = workspace;
   grid.reset(kMergeRadius_m);
   for (std::size_t i = 0; i < targets.size(); ++i) {
     grid.add(targets[i].position_m(), static_cast<int>(i));

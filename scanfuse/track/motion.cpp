@@ -24,6 +24,8 @@ constexpr double kOnsetSpeed_m_per_s = 1.5;   ///< of something that starts to m
 constexpr double kAtRest_m_per_s = 0.1;
 constexpr double kInMotion_m_per_s = 3;
 constexpr double kMovingMemory_s = 0.4;
+/// Errors of a velocity last: what a side that comes into view does to it is not in its covariance.
+constexpr double kLastingErrors = 4;
 constexpr double kFastestTurn_rad_per_s = 1.5;  ///< boxes that jump turn faster, vehicles do not
 
 /// Modes are left so often, 1/s.
@@ -129,6 +131,7 @@ void update_moving(Target& target, double dt_s, const TrackerOptions& options) {
   const auto& C = target.state.covariance;
   Eigen::Matrix2d P;
   P << C(kVx, kVx), C(kVx, kVy), C(kVy, kVx), C(kVy, kVy);
+  P *= kLastingErrors;
   const Eigen::Vector2d v = target.velocity_m_per_s();
   const double odds = log_density(v, P, kAtRest_m_per_s) - log_density(v, P, kInMotion_m_per_s);
   const double now = 1 / (1 + std::exp(odds));

@@ -58,7 +58,7 @@ struct TrackerOptions {
   double class_mismatch_cost = 4;
   double sigma_accel = 0.8;
   double sigma_velocity_m_per_s = 10;
-  double moving_from = 0;
+  double moving_from = 0.5;
   double sigma_position_m = 0.01;
   double sigma_p_m = 0.5;
   double sigma_m_m = 0.2;
@@ -137,6 +137,7 @@ struct TrackerOptions {
   options.distance = Distance::kEuclidean;
   options.start = Start::kPaper;
   options.motion = Motion::kCv;
+  options.moving_from = 0;
   options.sigma_accel = 0;
   options.confirm_hits = 1;
   options.confirm_window = 1;

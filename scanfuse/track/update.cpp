@@ -108,7 +108,7 @@ std::span<const associate::Candidate> gated_candidates(std::span<const Target> t
                                                        const TrackerOptions& options,
                                                        Workspace& workspace) {
   const double gate = associate::gate_in_the_plane(options.gate_probability);
-  auto& [grid, candidates, superfluous] = workspace;
+  auto& [grid, candidates, superfluous, mixed] = workspace;
   grid.reset(options.gate_distance_m + kLongestHalf_m);
   for (std::size_t i = 0; i < targets.size(); ++i) {
     grid.add(targets[i].position_m(), static_cast<int>(i));
@@ -132,12 +132,12 @@ double unassigned_cost(const TrackerOptions& options) {
                                                   : options.unassigned_cost;
 }
 
-void update(Target& target, const Detection& detection, int index, Time stamp, double dt_s,
-            const TrackerOptions& options) {
-  const Measurement m = measure(detection, target, options);
-  const double speed_before = target.velocity_m_per_s().norm();
-  target.nis = estimate::innovation(target.state, m.position, m.H).nis();
-  update_state(target, m, options);
+namespace {
+
+/// All of an update but the state.
+void update_rest(Target& target, const Measurement& m, double speed_before,
+                 const Detection& detection, int index, Time stamp, double dt_s,
+                 const TrackerOptions& options) {
   update_heading(target, m);
   if (align_heading_with_course(target, dt_s)) reseat(target, detection, options);
   update_acceleration(target, speed_before, dt_s, options);
@@ -154,6 +154,27 @@ void update(Target& target, const Detection& detection, int index, Time stamp, d
   ++target.age_frames;
   target.history = (target.history << 1) | 1U;
   target.is_steady = std::popcount(target.history & kRecentScans) >= kSteadyHits;
+}
+
+}  // namespace
+
+void update(Target& target, const Detection& detection, int index, Time stamp, double dt_s,
+            const TrackerOptions& options) {
+  const Measurement m = measure(detection, target, options);
+  const double speed_before = target.velocity_m_per_s().norm();
+  target.nis = estimate::innovation(target.state, m.position, m.H).nis();
+  update_state(target, m, options);
+  update_rest(target, m, speed_before, detection, index, stamp, dt_s, options);
+}
+
+void update_mixed(Target& target, const Gaussian<kStates>& mixed, const Detection& detection,
+                  int index, Time stamp, double dt_s, const TrackerOptions& options) {
+  const Measurement m = measure(detection, target, options);
+  const double speed_before = target.velocity_m_per_s().norm();
+  target.nis = estimate::innovation(target.state, m.position, m.H).nis();
+  target.state = mixed;
+  update_extent(target.state, m);
+  update_rest(target, m, speed_before, detection, index, stamp, dt_s, options);
 }
 
 void miss(Target& target, double dt_s, bool is_hidden) {
