@@ -97,6 +97,7 @@ Target birth(const Detection& detection, int index, std::int64_t id, Time stamp,
                                 starting_extent(detection, m, options), m);
   update_extent(target.state, m);
   if (options.motion == Motion::kImm) start_modes(target);
+  target.rest_m = target.position_m();
   target.heading.mean << m.heading_rad, 0;
   target.heading.covariance = Eigen::Vector2d(m.var_heading_rad2 + 0.01, 0.25).asDiagonal();
   target.class_weight[static_cast<std::size_t>(detection.object_class)] =

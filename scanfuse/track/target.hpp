@@ -29,8 +29,10 @@ struct Target {
   Gaussian<kStates> state;
   std::array<Gaussian<kStates>, kModes> modes;  ///< `Motion::kImm` only: `state` is their mixture
   Eigen::Matrix<double, kModes, 1> mode_probability;
-  Gaussian<2> heading;        ///< rad and rad/s; its sign is settled by motion
-  double moving = 0.5;        ///< probability that it moves (motion.hpp)
+  Gaussian<2> heading;  ///< rad and rad/s; its sign is settled by motion
+  double moving = 0.5;  ///< probability that it moves (motion.hpp)
+  Eigen::Vector2d rest_m = Eigen::Vector2d::Zero();  ///< where it has been of late
+  double wander_m2 = 0.04;    ///< variance of its place around that, by axis, while it stood
   double forward_m = 0;       ///< way gone along the heading: the evidence for its sign
   double accel_m_per_s2 = 0;  ///< along the motion, smoothed
   double z_m = 0;

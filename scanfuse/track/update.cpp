@@ -20,10 +20,11 @@ constexpr double kAccelMemory_s = 0.5;
 constexpr double kAccelRise_s = 0.7;
 constexpr double kAccelDecay_s = 1.5;
 constexpr double kUnsureSpeedDecay_s = 0.5;
-/// Hits among the last eight scans: who has them is an object, and may be looked for where it
-/// hides.
+/// Who has so many hits among the last eight scans, and hardly a miss, is an object, and may be
+/// looked for where it hides.
 constexpr std::uint32_t kRecentScans = 0xff;
-constexpr int kSteadyHits = 6;
+constexpr int kSteadyHits = 4;
+constexpr int kSteadyMisses = 1;
 /// Distance of a detection's centre from its seen end is not bounded by the gate: search farther.
 constexpr double kLongestHalf_m = 4;
 
@@ -153,7 +154,8 @@ void update_rest(Target& target, const Measurement& m, double speed_before,
   target.missed_frames = 0;
   ++target.age_frames;
   target.history = (target.history << 1) | 1U;
-  target.is_steady = std::popcount(target.history & kRecentScans) >= kSteadyHits;
+  const int hits = std::popcount(target.history & kRecentScans);
+  target.is_steady = hits >= kSteadyHits && std::min(target.age_frames, 8) - hits <= kSteadyMisses;
 }
 
 }  // namespace

@@ -8,36 +8,36 @@
 namespace scanfuse::track {
 namespace {
 
-Detection car_at(double x, double y) {
+Detection standing_car(double x, double y) {
   const Eigen::Vector2d place(x, y);
   return testing::box_detection(place, 0, {place, {0, 0}}, 0.05);
 }
 
 TEST(Shadows, HideWhatStandsBehindAndNothingElse) {
   Shadows shadows;
-  shadows.cast(std::vector{car_at(10, 0)});
-  EXPECT_GT(shadows.hidden_share(car_at(30, 0).box), 0.99);
-  EXPECT_EQ(shadows.hidden_share(car_at(30, 8).box), 0);
-  EXPECT_EQ(shadows.hidden_share(car_at(5, 0).box), 0) << "stands before it";
-  EXPECT_EQ(shadows.hidden_share(car_at(-30, 0).box), 0) << "lies on the other side";
+  shadows.cast(std::vector{standing_car(10, 0)});
+  EXPECT_GT(shadows.hidden_share(standing_car(30, 0).box), 0.99);
+  EXPECT_EQ(shadows.hidden_share(standing_car(30, 8).box), 0);
+  EXPECT_EQ(shadows.hidden_share(standing_car(5, 0).box), 0) << "stands before it";
+  EXPECT_EQ(shadows.hidden_share(standing_car(-30, 0).box), 0) << "lies on the other side";
 }
 
 TEST(Shadows, TwoThatOverlapHideNoMoreThanAll) {
   Shadows shadows;
-  shadows.cast(std::vector{car_at(10, 0), car_at(15, 0.3), car_at(10, 0.2)});
-  EXPECT_LE(shadows.hidden_share(car_at(30, 0).box), 1 + 1e-12);
+  shadows.cast(std::vector{standing_car(10, 0), standing_car(15, 0.3), standing_car(10, 0.2)});
+  EXPECT_LE(shadows.hidden_share(standing_car(30, 0).box), 1 + 1e-12);
 }
 
 TEST(Shadows, AreTheSameAcrossTheBackOfTheSensor) {
   Shadows shadows;
-  shadows.cast(std::vector{car_at(-10, 0)});
-  EXPECT_GT(shadows.hidden_share(car_at(-30, 0.2).box), 0.9);
+  shadows.cast(std::vector{standing_car(-10, 0)});
+  EXPECT_GT(shadows.hidden_share(standing_car(-30, 0.2).box), 0.9);
 }
 
 TEST(Shadows, WithoutDetectionsThereAreNone) {
   Shadows shadows;
   shadows.cast({});
-  EXPECT_EQ(shadows.hidden_share(car_at(30, 0).box), 0);
+  EXPECT_EQ(shadows.hidden_share(standing_car(30, 0).box), 0);
 }
 
 /// Whether a car seen for a second keeps its identity through 0.8 s unseen, with a car between it
@@ -48,8 +48,8 @@ bool keeps_identity(bool hidden) {
   for (int k = 0; k < 30; ++k) {
     const bool unseen = k >= 12 && k < 22;
     std::vector<Detection> seen;
-    if (!unseen) seen.push_back(car_at(30 - 0.4 * k, 1));
-    if (hidden && unseen) seen.push_back(car_at(12, 0.4));
+    if (!unseen) seen.push_back(standing_car(30 - 0.4 * k, 1));
+    if (hidden && unseen) seen.push_back(standing_car(12, 0.4));
     const auto& tracks = tracker.step(time_from_seconds(0.08 * k), seen);
     for (const Track& track : tracks) {
       if (track.detection != 0 || unseen) continue;

@@ -7,20 +7,22 @@
 namespace scanfuse::track {
 namespace {
 
-Detection car_at(double x, double y) {
+Detection car_to_15_cm(double x, double y) {
   const Eigen::Vector2d place(x, y);
-  return testing::box_detection(place, 0, {place, {0, 0}}, 0.15);
+  Detection detection = testing::box_detection(place, 0, {place, {0, 0}}, 0.15);
+  detection.seen_from_m = {-10, -10};  // the same corner of every car is turned to the sensor
+  return detection;
 }
 
 std::vector<Target> one_car(const TrackerOptions& options) {
-  return {birth(car_at(20, 0), 0, 1, time_from_seconds(0), 0, options)};
+  return {birth(car_to_15_cm(20, 0), 0, 1, time_from_seconds(0), 0, options)};
 }
 
 TEST(MixedStates, OneSureDetectionIsTheUpdate) {
   const TrackerOptions options;
   Workspace workspace;
   const auto targets = one_car(options);
-  const std::vector detections{car_at(20.3, 0.1)};
+  const std::vector detections{car_to_15_cm(20.3, 0.1)};
   const std::vector<associate::Candidate> pairs{{0, 0, 0}};
   const auto mixed = mixed_states(targets, detections, pairs, {{1}, {0}}, options, workspace);
   const Measurement m = measure(detections[0], targets[0], options);
@@ -33,7 +35,7 @@ TEST(MixedStates, BetweenTwoEquallyLikelyTheMeanStaysAndTheirSpreadIsAdded) {
   const TrackerOptions options;
   Workspace workspace;
   const auto targets = one_car(options);
-  const std::vector detections{car_at(20, 0.4), car_at(20, -0.4)};
+  const std::vector detections{car_to_15_cm(20, 0.4), car_to_15_cm(20, -0.4)};
   const std::vector<associate::Candidate> pairs{{0, 0, 0}, {0, 1, 0}};
   const auto mixed =
       mixed_states(targets, detections, pairs, {{0.5, 0.5}, {0}}, options, workspace);
