@@ -67,9 +67,12 @@ evaluate::Evaluation perfectly_detected(simulate::Simulation simulation,
     StepResult step;
     step.stamp = frame->scan.stamp;
     step.frame = frame->scan.frame;
+    const Eigen::Vector2d viewer =
+        (frame->ego.pose * simulation.ego_from_sensor()).translation_m.head<2>();
     for (const auto& object : frame->truth.objects) {
       if (object.visible_points.value_or(0) < scoring.min_visible_points) continue;
       if (auto detection = simulate::perfect_detection(object)) {
+        detection->seen_from_m = viewer;
         step.detections.push_back(*detection);
       }
     }

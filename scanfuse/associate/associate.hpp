@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "scanfuse/associate/jpda.hpp"
 #include "scanfuse/core/assignment.hpp"
 
 /// Who belongs to whom. Sees only numbers: rows, columns, costs.
@@ -23,12 +24,13 @@ struct Assignment {
   std::vector<int> track_of_detection;
 };
 
-enum class Method { kGlobal, kNearest, kDetectionGreedy };
+/// `kJpda` weighs all pairs; its assignment is only who is hit by what most likely.
+enum class Method { kGlobal, kNearest, kDetectionGreedy, kJpda };
 
 constexpr auto choices(Method) {
   using enum Method;
   return std::array{std::pair{"global", kGlobal}, std::pair{"nearest", kNearest},
-                    std::pair{"detection_greedy", kDetectionGreedy}};
+                    std::pair{"detection_greedy", kDetectionGreedy}, std::pair{"jpda", kJpda}};
 }
 
 /// The assignment of least total cost, where a pair left open costs `unassigned_cost` and so no
@@ -54,12 +56,21 @@ constexpr auto choices(Method) {
 [[nodiscard]] Assignment associate(Method method, int tracks, int detections,
                                    std::span<const Candidate> candidates, double unassigned_cost);
 
-/// The three of them with memory that is kept from scan to scan: grown once, nothing is allocated.
+/// All of them with memory that is kept from scan to scan: grown once, nothing is allocated.
+///
+/// With `kJpda` the odds of a pair against none are exp((unassigned_cost - cost) / 2): the cost
+/// m^2 + ln det S is -2 ln N(z; h(x), S) but for a constant, so `unassigned_cost` stands for
+/// 2 ln(P_D / (2 pi lambda (1 - P_D P_G))). `shares` then tells the probability of each pair. A
+/// track is hit when that is likelier than not, by its likeliest detection, which others may have
+/// too; a detection is some track's when that is likelier than not.
 class Associator {
  public:
   /// Valid until the next call.
   const Assignment& operator()(Method method, int tracks, int detections,
                                std::span<const Candidate> candidates, double unassigned_cost);
+
+  /// Of the last call with `kJpda`: `pair` in the order of the candidates.
+  [[nodiscard]] const Marginals& shares() const { return *shares_; }
 
  private:
   struct Edge {
@@ -69,6 +80,8 @@ class Associator {
   void global(std::span<const Candidate> candidates, double unassigned_cost);
   void nearest(std::span<const Candidate> candidates, double unassigned_cost);
   void detection_greedy(std::span<const Candidate> candidates, double unassigned_cost);
+  void jpda(int tracks, int detections, std::span<const Candidate> candidates,
+            double unassigned_cost);
   void sort_edges(std::span<const Candidate> candidates, double unassigned_cost);
   int root(int node);
   void join_nodes(int a, int b);
@@ -84,6 +97,10 @@ class Associator {
   std::vector<int> rows_, columns_;  ///< of a component: its tracks, its detections
   std::vector<double> costs_;
   AssignmentSolver solve_;
+  Jpda jpda_;
+  std::vector<GatedPair> pairs_;
+  const Marginals* shares_ = nullptr;
+  std::vector<double> claimed_, likeliest_;  ///< by detection, by track
 };
 
 }  // namespace scanfuse::associate

@@ -35,6 +35,9 @@ const Assignment& Associator::operator()(Method method, int tracks, int detectio
     case Method::kDetectionGreedy:
       detection_greedy(candidates, unassigned_cost);
       break;
+    case Method::kJpda:
+      jpda(tracks, detections, candidates, unassigned_cost);
+      break;
   }
   return assignment_;
 }

@@ -56,6 +56,7 @@ const VirtualScan& VirtualScanBuilder::operator()(const Scan& scan, const Pose3&
   sort_into_columns(scan);
   pick_points(scan, method);
   order_by_bearing();
+  drop_low_rows(method);
   drop_lonely();
   return virtual_scan_;
 }

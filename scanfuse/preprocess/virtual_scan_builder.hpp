@@ -17,8 +17,10 @@ namespace scanfuse::preprocess {
 
 /// Flattens a scan of any number of layers to one point a bearing: levels it by the mounting, keeps
 /// the region of interest, takes the ground away, and keeps of each bearing the nearest return that
-/// another layer supports (or, where none has support, the nearest that is not ground). A point
-/// that then has neither support nor a neighbour is dropped. Every result is ordered by bearing.
+/// another layer supports (or, where none has support, the nearest that is not ground). A row of
+/// low points that one layer alone sees is ground when it is longer than a vehicle, or of fewer
+/// than three. A point that then has neither support nor a neighbour is dropped. Every result is
+/// ordered by bearing.
 ///
 /// Bearings are binned by the beam pattern where the scan has one, else by `step_rad`, else by the
 /// median step found in the data (0.1 to 1 deg; at least 0.2 deg for clouds).
@@ -54,6 +56,10 @@ class VirtualScanBuilder {
   void pick_column(const Scan& scan, std::span<const RangeKey> column, GroundMethod method);
   [[nodiscard]] bool is_lonely_ground(const LevelPoint& point, GroundMethod method) const;
   void emit(const Scan& scan, const LevelPoint& point, const Support& support);
+  [[nodiscard]] float height_m(float z_m) const;
+  [[nodiscard]] bool may_be_ground(const PlanarPoint& point) const;
+  [[nodiscard]] bool goes_on(const PlanarPoint& row, const PlanarPoint& next) const;
+  void drop_low_rows(GroundMethod method);
   void order_by_bearing();
   void drop_lonely();
 
@@ -67,6 +73,7 @@ class VirtualScanBuilder {
   std::vector<std::uint32_t> ends_;  ///< of each column in `order_`
   std::vector<RangeKey> order_;      ///< points by column, by range within
   std::vector<std::uint8_t> keep_;
+  std::vector<std::size_t> row_;  ///< of points that may be ground
   std::int16_t lowest_layer_ = 0;
   bool layered_ = false;
   int most_per_bearing_ = 1;

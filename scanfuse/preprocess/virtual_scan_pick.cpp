@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -10,8 +11,14 @@
 namespace scanfuse::preprocess {
 namespace {
 
-constexpr float kLowLonely = 0.3F;  // m above ground: a return without support is ground below this
-constexpr float kLowLonelyPerMetre = 0.01F;
+/// A return without support is ground below the first, and may be up to the second: m above flat
+/// ground, and per metre of range.
+constexpr float kGround = 0.05F, kGroundPerMetre = 0.003F;
+constexpr float kLow = 0.3F, kLowPerMetre = 0.01F;
+/// Low returns of one layer in a row that is no longer than this are an object: ground is wider.
+constexpr float kLongestLow_m = 7;
+constexpr int kFewestLow = 3;
+constexpr std::int32_t kLowGap = 3;  ///< columns that a row may miss
 
 float exact_bearing(float x, float y) {
   const float angle = std::atan2(y, x);
@@ -65,8 +72,52 @@ VirtualScanBuilder::Support VirtualScanBuilder::support_of(std::span<const Range
 bool VirtualScanBuilder::is_lonely_ground(const LevelPoint& point, GroundMethod method) const {
   if (method != GroundMethod::kLayers) return false;
   if (point.layer == lowest_layer_) return true;
-  return sensor_height_m_ && point.z_m + static_cast<float>(*sensor_height_m_) <
-                                 kLowLonely + kLowLonelyPerMetre * point.range_m;
+  return height_m(point.z_m) < kGround + kGroundPerMetre * point.range_m;
+}
+
+/// Above flat ground; where the mounting is not known, nothing is low.
+float VirtualScanBuilder::height_m(float z_m) const {
+  return sensor_height_m_ ? z_m + static_cast<float>(*sensor_height_m_)
+                          : std::numeric_limits<float>::infinity();
+}
+
+bool VirtualScanBuilder::may_be_ground(const PlanarPoint& point) const {
+  return point.support <= 1 && height_m(point.z_m) < kLow + kLowPerMetre * point.range_m;
+}
+
+/// Where one layer alone meets something low, its neighbours in bearing tell: the ground goes on
+/// for longer than a vehicle is, and stray returns from it stand alone. At the edges of a view that
+/// fewer layers reach, whole vehicles are seen by one.
+void VirtualScanBuilder::drop_low_rows(GroundMethod method) {
+  if (method != GroundMethod::kLayers || !sensor_height_m_) return;
+  auto& points = virtual_scan_.points;
+  std::size_t kept = 0;
+  row_.clear();
+  const auto close_row = [&] {
+    if (row_.empty()) return;
+    const PlanarPoint &a = points[row_.front()], &b = points[row_.back()];
+    const bool is_object =
+        std::ssize(row_) >= kFewestLow && std::hypot(a.x_m - b.x_m, a.y_m - b.y_m) <= kLongestLow_m;
+    for (const std::size_t i : row_) keep_[i] = is_object;
+    row_.clear();
+  };
+  keep_.assign(points.size(), 1);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!may_be_ground(points[i])) continue;
+    if (!row_.empty() && !goes_on(points[row_.back()], points[i])) close_row();
+    row_.push_back(i);
+  }
+  close_row();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (keep_[i]) points[kept++] = points[i];
+  }
+  points.resize(kept);
+}
+
+bool VirtualScanBuilder::goes_on(const PlanarPoint& row, const PlanarPoint& next) const {
+  const float reach = static_cast<float>(options_.lonely_m + options_.lonely_per_m * row.range_m);
+  return next.column - row.column <= kLowGap &&
+         std::hypot(next.x_m - row.x_m, next.y_m - row.y_m) <= reach;
 }
 
 void VirtualScanBuilder::pick_points(const Scan& scan, GroundMethod method) {

@@ -97,6 +97,7 @@ Target birth(const Detection& detection, int index, std::int64_t id, Time stamp,
                                 starting_extent(detection, m, options), m);
   update_extent(target.state, m);
   if (options.motion == Motion::kImm) start_modes(target);
+  target.rest_m = target.position_m();
   target.heading.mean << m.heading_rad, 0;
   target.heading.covariance = Eigen::Vector2d(m.var_heading_rad2 + 0.01, 0.25).asDiagonal();
   target.class_weight[static_cast<std::size_t>(detection.object_class)] =
@@ -166,13 +167,18 @@ bool is_over(const Target& target, Time stamp, const TrackerOptions& options) {
   const double unseen_s = to_seconds(stamp - target.seen);
   const double seen_s = to_seconds(target.seen - target.born);
   const double worst = std::max(target.state.covariance(kX, kX), target.state.covariance(kY, kY));
-  const double earned_s = std::max(kLeastCoast_s, options.coast_share * seen_s);
-  return unseen_s > std::min(options.coast_s, earned_s) + kStampRounding_s ||
+  const auto earned_s = [&](double share) { return std::max(kLeastCoast_s, share * seen_s); };
+  const double hidden_share = target.is_steady
+                                  ? std::max(options.coast_share, options.coast_hidden_share)
+                                  : options.coast_share;
+  const double open_s = unseen_s - target.hidden_s;
+  return unseen_s > std::min(options.coast_s, earned_s(hidden_share)) + kStampRounding_s ||
+         open_s > earned_s(options.coast_share) + kStampRounding_s ||
          worst > options.coast_sigma_m * options.coast_sigma_m;
 }
 
 void merge_duplicates(std::vector<Target>& targets, Workspace& workspace) {
-  auto& [grid, candidates, superfluous] = workspace;
+  auto& [grid, candidates, superfluous, mixed] = workspace;
   grid.reset(kMergeRadius_m);
   for (std::size_t i = 0; i < targets.size(); ++i) {
     grid.add(targets[i].position_m(), static_cast<int>(i));

@@ -24,6 +24,13 @@ constexpr double kOnsetSpeed_m_per_s = 1.5;   ///< of something that starts to m
 constexpr double kAtRest_m_per_s = 0.1;
 constexpr double kInMotion_m_per_s = 3;
 constexpr double kMovingMemory_s = 0.4;
+/// Errors of a velocity last: what a side that comes into view does to it is not in its covariance.
+constexpr double kLastingErrors = 4;
+constexpr double kRest_s = 1;
+constexpr double kDepartedProbability = 0.6;
+constexpr double kLeastWander_m = 0.04;
+constexpr double kDeparted = 3;  ///< deviations
+constexpr double kLeaving_m_per_s = 0.2;
 constexpr double kFastestTurn_rad_per_s = 1.5;  ///< boxes that jump turn faster, vehicles do not
 
 /// Modes are left so often, 1/s.
@@ -83,6 +90,21 @@ double log_density(const Eigen::Vector2d& v, const Eigen::Matrix2d& P, double si
   return -0.5 * (v.dot(S.inverse() * v) + std::log(S.determinant()));
 }
 
+/// Whether it leaves the place where it has been of late, farther than it used to wander there, and
+/// goes on to leave it. Tells sooner than the velocity that a car starts, and knows hedges by now.
+bool departs(Target& target, double dt_s) {
+  const double share = 1 - std::exp(-dt_s / kRest_s);
+  const Eigen::Vector2d off = target.position_m() - target.rest_m;
+  target.rest_m += share * off;
+  const double usual = target.wander_m2 + kLeastWander_m * kLeastWander_m;
+  const double outward = off.dot(target.velocity_m_per_s());
+  if (target.moving < 0.5) {
+    target.wander_m2 += share * (off.squaredNorm() / 2 - target.wander_m2);
+  }
+  return off.squaredNorm() > kDeparted * kDeparted * usual &&
+         outward > kLeaving_m_per_s * off.norm();
+}
+
 Weights reweighed(const Weights& prior, const Weights& log_likelihood) {
   const double largest = log_likelihood.maxCoeff();
   const Weights logs = (log_likelihood.array() - largest).exp() * prior.array();
@@ -129,10 +151,12 @@ void update_moving(Target& target, double dt_s, const TrackerOptions& options) {
   const auto& C = target.state.covariance;
   Eigen::Matrix2d P;
   P << C(kVx, kVx), C(kVx, kVy), C(kVy, kVx), C(kVy, kVy);
+  P *= kLastingErrors;
   const Eigen::Vector2d v = target.velocity_m_per_s();
   const double odds = log_density(v, P, kAtRest_m_per_s) - log_density(v, P, kInMotion_m_per_s);
   const double now = 1 / (1 + std::exp(odds));
   target.moving += (1 - std::exp(-dt_s / kMovingMemory_s)) * (now - target.moving);
+  if (departs(target, dt_s)) target.moving = std::max(target.moving, kDepartedProbability);
 }
 
 void start_modes(Target& target) {

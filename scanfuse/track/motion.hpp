@@ -30,9 +30,9 @@ struct Manoeuvre {
 [[nodiscard]] Manoeuvre manoeuvre_of(const Target& target, const TrackerOptions& options);
 
 /// Whether the velocity believed is motion or noise. Both hypotheses foresee it as a Gaussian of
-/// zero mean, with the covariance P of the estimate and beyond it 0.1 m/s at rest, 3 m/s in motion;
-/// their posterior from even odds, smoothed over 0.4 s because errors of P last. With the mixture,
-/// the probability of the modes that move.
+/// zero mean, with four times the covariance P of the estimate, since its errors last, and beyond
+/// it 0.1 m/s at rest, 3 m/s in motion; their posterior from even odds, smoothed over 0.4 s. With
+/// the mixture, the probability of the modes that move.
 void update_moving(Target& target, double dt_s, const TrackerOptions& options);
 
 /// Makes the modes of a target that has only a state: at birth, after a quarter turn.

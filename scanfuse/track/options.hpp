@@ -51,14 +51,14 @@ struct TrackerOptions {
   associate::Method associator = associate::Method::kGlobal;
   Distance distance = Distance::kMahalanobis;
   Start start = Start::kVelocityPrior;
-  Motion motion = Motion::kCv;
+  Motion motion = Motion::kCtrv;
   double gate_probability = 0.999;
   double gate_distance_m = 4;
   double unassigned_cost = 10;
   double class_mismatch_cost = 4;
   double sigma_accel = 0.8;
   double sigma_velocity_m_per_s = 10;
-  double moving_from = 0;
+  double moving_from = 0.5;
   double sigma_position_m = 0.01;
   double sigma_p_m = 0.5;
   double sigma_m_m = 0.2;
@@ -66,6 +66,7 @@ struct TrackerOptions {
   int confirm_window = 5;
   double coast_s = 1.6;
   double coast_share = 0.35;
+  double coast_hidden_share = 6;
   double coast_sigma_m = 2.5;
   int coast_frames = 0;
   double max_gap_s = 2;
@@ -109,6 +110,8 @@ struct TrackerOptions {
         Field{"coast_s", &O::coast_s, 0.0, 60.0, "a confirmed track lives so long unseen"},
         Field{"coast_share", &O::coast_share, 0.0, 100.0,
               "nor longer than this share of the time it had been seen"},
+        Field{"coast_hidden_share", &O::coast_hidden_share, 0.0, 100.0,
+              "the same where something nearer hides it"},
         Field{"coast_sigma_m", &O::coast_sigma_m, 0.1, 100.0,
               "nor past the scan when its place is known no better than this"},
         Field{"coast_frames", &O::coast_frames, 0, 1000,
@@ -136,6 +139,8 @@ struct TrackerOptions {
   options.associator = associate::Method::kDetectionGreedy;
   options.distance = Distance::kEuclidean;
   options.start = Start::kPaper;
+  options.motion = Motion::kCv;
+  options.moving_from = 0;
   options.sigma_accel = 0;
   options.confirm_hits = 1;
   options.confirm_window = 1;

@@ -17,6 +17,7 @@ struct Workspace {
   associate::PositionGrid grid{1};
   std::vector<associate::Candidate> candidates;
   std::vector<char> superfluous;
+  std::vector<Gaussian<kStates>> mixed;
 };
 
 /// Moves every target on by dt_s >= 0: constant velocity with white acceleration.
@@ -33,12 +34,28 @@ void predict(std::vector<Target>& targets, double dt_s, const TrackerOptions& op
 /// The cost from which a pair is not made, for the distance in use.
 [[nodiscard]] double unassigned_cost(const TrackerOptions& options);
 
+/// What each target is believed to be when every detection in its gate may be its own, with the
+/// probabilities b of `shares` (b_0: none is), x_d the belief after the update by detection d:
+///
+///   x = sum b_d x_d + b_0 x-      P = sum b_d (P_d + (x_d - x)(x_d - x)') + b_0 (...)
+///
+/// the mixture of [Fortmann1983] with the spread of its means. The result stands in `workspace`.
+[[nodiscard]] std::span<const Gaussian<kStates>> mixed_states(
+    std::span<const Target> targets, std::span<const Detection> detections,
+    std::span<const associate::Candidate> candidates, const associate::Marginals& shares,
+    const TrackerOptions& options, Workspace& workspace);
+
+/// Folds into a target what the likeliest detection says of all but the state, which is `mixed`.
+void update_mixed(Target& target, const Gaussian<kStates>& mixed, const Detection& detection,
+                  int index, Time stamp, double dt_s, const TrackerOptions& options);
+
 /// Folds the assigned detection into a target.
 void update(Target& target, const Detection& detection, int index, Time stamp, double dt_s,
             const TrackerOptions& options);
 
-/// A scan went by without the target.
-void miss(Target& target);
+/// A scan went by without the target, `dt_s` after the last one. Was it hidden, that is no evidence
+/// of its absence: it does not use up the time unseen that the target has earned.
+void miss(Target& target, double dt_s, bool is_hidden);
 
 /// Tentative until `confirm_hits` of the last `confirm_window` scans hit it.
 void promote(Target& target, const TrackerOptions& options);
@@ -55,7 +72,7 @@ void reseat(Target& target, const Detection& detection, const TrackerOptions& op
 [[nodiscard]] bool is_part_of(const Detection& detection, std::span<const Target> targets);
 
 /// Whether a target is given up: tentative and no longer able to be confirmed, or unseen too long.
-/// A confirmed target earns its time unseen by having been seen.
+/// A confirmed target earns its time unseen by having been seen; time hidden is free.
 [[nodiscard]] bool is_over(const Target& target, Time stamp, const TrackerOptions& options);
 
 /// Removes the younger of two targets that lie in one another and move alike.

@@ -29,8 +29,10 @@ struct Target {
   Gaussian<kStates> state;
   std::array<Gaussian<kStates>, kModes> modes;  ///< `Motion::kImm` only: `state` is their mixture
   Eigen::Matrix<double, kModes, 1> mode_probability;
-  Gaussian<2> heading;        ///< rad and rad/s; its sign is settled by motion
-  double moving = 0.5;        ///< probability that it moves (motion.hpp)
+  Gaussian<2> heading;  ///< rad and rad/s; its sign is settled by motion
+  double moving = 0.5;  ///< probability that it moves (motion.hpp)
+  Eigen::Vector2d rest_m = Eigen::Vector2d::Zero();  ///< where it has been of late
+  double wander_m2 = 0.04;    ///< variance of its place around that, by axis, while it stood
   double forward_m = 0;       ///< way gone along the heading: the evidence for its sign
   double accel_m_per_s2 = 0;  ///< along the motion, smoothed
   double z_m = 0;
@@ -41,8 +43,10 @@ struct Target {
   bool is_trusted = false;  ///< was surely no clutter and is not doubted since: else tentative
   Time born;
   Time seen;
+  double hidden_s = 0;  ///< of the time since `seen`, how long something nearer stood before it
   int age_frames = 0;
   int missed_frames = 0;
+  bool is_steady = false;     ///< was seen in most of the scans before the last that saw it
   std::uint32_t history = 0;  ///< one bit a scan, the latest lowest: 1 is a hit
   int detection = -1;
   double nis = 0;

@@ -10,6 +10,9 @@
 namespace scanfuse::track {
 namespace {
 
+/// An object of which less is in view is hardly detected.
+constexpr double kHiddenShare = 0.5;
+
 /// Seconds from a to b. Stamps of damaged files may lie centuries apart: their difference does not
 /// fit nanoseconds, and is then taken roughly.
 double seconds_between(Time a, Time b) {
@@ -90,15 +93,27 @@ void Tracker::fold_in(Time stamp, double dt_s, bool same_instant) {
   const auto& assignment =
       associate_(options_.associator, static_cast<int>(targets_.size()),
                  static_cast<int>(usable_.size()), candidates, unassigned_cost(options_));
+  shadows_.cast(usable_);
+  // The modes of `imm` are not mixed over detections: there the likeliest alone is folded in.
+  const bool mixes =
+      options_.associator == associate::Method::kJpda && options_.motion != Motion::kImm;
+  const auto mixed =
+      mixes ? mixed_states(targets_, usable_, candidates, associate_.shares(), options_, workspace_)
+            : std::span<const Gaussian<kStates>>{};
   for (std::size_t t = 0; t < targets_.size(); ++t) {
     const int d = assignment.detection_of_track[t];
     if (d >= 0) {
-      update(targets_[t], usable_[d], source_[d], stamp, dt_s, options_);
+      if (mixes) {
+        update_mixed(targets_[t], mixed[t], usable_[d], source_[d], stamp, dt_s, options_);
+      } else {
+        update(targets_[t], usable_[d], source_[d], stamp, dt_s, options_);
+      }
       promote(targets_[t], options_);
     } else if (same_instant) {
       targets_[t].detection = -1;
     } else {
-      miss(targets_[t]);
+      if (mixes) targets_[t].state = mixed[t];
+      miss(targets_[t], dt_s, shadows_.hidden_share(targets_[t].box()) >= kHiddenShare);
     }
   }
   std::erase_if(targets_, [&](const Target& t) { return is_over(t, stamp, options_); });

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scanfuse/core/diagnostics.hpp"
+#include "scanfuse/track/hidden.hpp"
 #include "scanfuse/track/options.hpp"
 #include "scanfuse/track/steps.hpp"
 #include "scanfuse/track/target.hpp"
@@ -51,6 +52,7 @@ class Tracker {
   Diagnostics diagnostics_;
   std::vector<Target> targets_;
   Workspace workspace_;
+  Shadows shadows_;
   associate::Associator associate_;
   std::vector<Detection> usable_;
   std::vector<int> source_;  ///< place of each usable detection in the caller's span

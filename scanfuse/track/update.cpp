@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <optional>
 
@@ -19,6 +20,11 @@ constexpr double kAccelMemory_s = 0.5;
 constexpr double kAccelRise_s = 0.7;
 constexpr double kAccelDecay_s = 1.5;
 constexpr double kUnsureSpeedDecay_s = 0.5;
+/// Who has so many hits among the last eight scans, and hardly a miss, is an object, and may be
+/// looked for where it hides.
+constexpr std::uint32_t kRecentScans = 0xff;
+constexpr int kSteadyHits = 4;
+constexpr int kSteadyMisses = 1;
 /// Distance of a detection's centre from its seen end is not bounded by the gate: search farther.
 constexpr double kLongestHalf_m = 4;
 
@@ -103,7 +109,7 @@ std::span<const associate::Candidate> gated_candidates(std::span<const Target> t
                                                        const TrackerOptions& options,
                                                        Workspace& workspace) {
   const double gate = associate::gate_in_the_plane(options.gate_probability);
-  auto& [grid, candidates, superfluous] = workspace;
+  auto& [grid, candidates, superfluous, mixed] = workspace;
   grid.reset(options.gate_distance_m + kLongestHalf_m);
   for (std::size_t i = 0; i < targets.size(); ++i) {
     grid.add(targets[i].position_m(), static_cast<int>(i));
@@ -127,12 +133,12 @@ double unassigned_cost(const TrackerOptions& options) {
                                                   : options.unassigned_cost;
 }
 
-void update(Target& target, const Detection& detection, int index, Time stamp, double dt_s,
-            const TrackerOptions& options) {
-  const Measurement m = measure(detection, target, options);
-  const double speed_before = target.velocity_m_per_s().norm();
-  target.nis = estimate::innovation(target.state, m.position, m.H).nis();
-  update_state(target, m, options);
+namespace {
+
+/// All of an update but the state.
+void update_rest(Target& target, const Measurement& m, double speed_before,
+                 const Detection& detection, int index, Time stamp, double dt_s,
+                 const TrackerOptions& options) {
   update_heading(target, m);
   if (align_heading_with_course(target, dt_s)) reseat(target, detection, options);
   update_acceleration(target, speed_before, dt_s, options);
@@ -143,13 +149,38 @@ void update(Target& target, const Detection& detection, int index, Time stamp, d
   target.z_m += 0.3 * (detection.z_m - target.z_m);
   target.height_m = std::max(target.height_m, detection.height_m);
   target.seen = stamp;
+  target.hidden_s = 0;
   target.detection = index;
   target.missed_frames = 0;
   ++target.age_frames;
   target.history = (target.history << 1) | 1U;
+  const int hits = std::popcount(target.history & kRecentScans);
+  target.is_steady = hits >= kSteadyHits && std::min(target.age_frames, 8) - hits <= kSteadyMisses;
 }
 
-void miss(Target& target) {
+}  // namespace
+
+void update(Target& target, const Detection& detection, int index, Time stamp, double dt_s,
+            const TrackerOptions& options) {
+  const Measurement m = measure(detection, target, options);
+  const double speed_before = target.velocity_m_per_s().norm();
+  target.nis = estimate::innovation(target.state, m.position, m.H).nis();
+  update_state(target, m, options);
+  update_rest(target, m, speed_before, detection, index, stamp, dt_s, options);
+}
+
+void update_mixed(Target& target, const Gaussian<kStates>& mixed, const Detection& detection,
+                  int index, Time stamp, double dt_s, const TrackerOptions& options) {
+  const Measurement m = measure(detection, target, options);
+  const double speed_before = target.velocity_m_per_s().norm();
+  target.nis = estimate::innovation(target.state, m.position, m.H).nis();
+  target.state = mixed;
+  update_extent(target.state, m);
+  update_rest(target, m, speed_before, detection, index, stamp, dt_s, options);
+}
+
+void miss(Target& target, double dt_s, bool is_hidden) {
+  if (is_hidden) target.hidden_s += dt_s;
   target.detection = -1;
   target.nis = 0;
   ++target.missed_frames;

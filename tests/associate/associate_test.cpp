@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <set>
@@ -146,6 +147,19 @@ TEST(PositionGrid, FindsAllWithinItsCellSize) {
       }
     }
   }
+}
+
+TEST(Jpda, AsAPolicyHitsWhatIsLikelierHitThanNot) {
+  // Odds of a pair against none: exp((10 - cost) / 2).
+  const std::vector<Candidate> pairs{{0, 0, 2}, {0, 1, 4}, {1, 2, 14}};
+  Associator associate;
+  const Assignment& a = associate(Method::kJpda, 2, 3, pairs, 10);
+  EXPECT_EQ(a.detection_of_track, (std::vector<int>{0, -1}));
+  EXPECT_EQ(a.track_of_detection, (std::vector<int>{0, -1, -1}));
+  const double near = std::exp(4.0), far = std::exp(3.0), all = 1 + near + far;
+  EXPECT_NEAR(associate.shares().pair[0], near / all, 1e-12);
+  EXPECT_NEAR(associate.shares().pair[1], far / all, 1e-12);
+  EXPECT_NEAR(associate.shares().missed[1], 1 / (1 + std::exp(-2.0)), 1e-12);
 }
 
 }  // namespace

@@ -38,6 +38,7 @@ StepResult sample_step() {
     track.yaw_rate_rad_per_s = 0.02;
     track.age_frames = 9;
     track.missed_frames = k;
+    track.moving_probability = 0.25 + 0.5 * k;
     step.tracks.push_back(track);
   }
   return step;
@@ -74,6 +75,7 @@ TEST(ResultWriter, TracksReadBackAsTheyWereWrittenInEveryTextFormat) {
       EXPECT_EQ(a.state.mean, b.state.mean);
       EXPECT_EQ(a.state.covariance(0, 2), b.state.covariance(0, 2));
       EXPECT_EQ(a.missed_frames, b.missed_frames);
+      EXPECT_EQ(a.moving_probability, b.moving_probability);
       EXPECT_EQ(a.height_m, b.height_m);
     }
   }
@@ -86,7 +88,8 @@ TEST(ResultWriter, TheHeaderIsTheOneThatScriptsRelyOn) {
   EXPECT_EQ(content_of(folder.path() / "t.csv"),
             "time_s,frame,track_id,class,class_probability,status,x_m,y_m,z_m,heading_rad,"
             "vx_m_per_s,vy_m_per_s,speed_m_per_s,accel_m_per_s2,yaw_rate_rad_per_s,length_m,"
-            "width_m,height_m,var_x_m2,cov_xy_m2,var_y_m2,age_frames,missed_frames\n");
+            "width_m,height_m,var_x_m2,cov_xy_m2,var_y_m2,age_frames,missed_frames,"
+            "moving_probability\n");
   EXPECT_TRUE(read_tracks(folder.path() / "t.csv")) << "a run without tracks is no fault";
 }
 

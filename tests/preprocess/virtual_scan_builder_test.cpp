@@ -83,6 +83,27 @@ TEST(VirtualScanBuilder, ALonelyReturnOfTheLowestLayerIsGround) {
   EXPECT_EQ(build(scan).points.size(), 100U);
 }
 
+/// How many points stay of a row of `columns` returns 30 m away that only the second layer of four
+/// sees, 0.3 m above the ground.
+std::size_t kept_of_low_row(int columns) {
+  Scan scan = wall(30, columns, 1);
+  scan.beams->layers = 4;
+  for (Return& r : scan.returns) {
+    r.z_m = -0.3F;
+    r.layer = 1;
+  }
+  Pose3 mounting;
+  mounting.translation_m.z() = 0.6;
+  VirtualScanBuilder build;
+  return build(scan, mounting).points.size();
+}
+
+TEST(VirtualScanBuilder, ALowRowOfOneLayerIsAnObjectWhenItIsNoLongerThanOne) {
+  EXPECT_EQ(kept_of_low_row(14), 14U) << "1.8 m, as wide as a car";
+  EXPECT_EQ(kept_of_low_row(100), 0U) << "13 m of ground";
+  EXPECT_EQ(kept_of_low_row(2), 0U) << "strays";
+}
+
 TEST(VirtualScanBuilder, ASupportedReturnGoesBeforeANearerLonelyOne) {
   Scan scan = wall(30, 60, 4);
   scan.returns.push_back(

@@ -87,6 +87,33 @@ TEST(Motion, TurningModelsFollowABendMoreCloselyThanConstantVelocity) {
   }
 }
 
+// A car at rest for 3 s that then picks up speed at 2 m/s^2, the latest of 20.
+TEST(Motion, ACarThatStartsIsSeenToMoveWithin800Milliseconds) {
+  simulate::Mover car{{10, 0}, {0, 0}};
+  constexpr double kStart_s = 3;
+  car.accel = [](double t) { return Eigen::Vector2d(t >= kStart_s ? 2 : 0, 0); };
+  TrackerOptions options;
+  simulate::SceneOptions scene;
+  scene.frames = 60;
+  scene.clutter_per_frame = 0;
+  scene.sigma_m = 0.05;
+  double late_s = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Tracker tracker(options);
+    double seen_s = 10;
+    const auto frames = simulate::play({car}, scene, seed);
+    for (const auto& f : frames) {
+      const double t = to_seconds(f.stamp - frames.front().stamp);
+      const auto& tracks = tracker.step(f.stamp, f.detections);
+      const bool moves = !tracks.empty() && tracks[0].speed_m_per_s > 0;
+      if (t > kStart_s && moves) seen_s = std::min(seen_s, t - kStart_s);
+    }
+    late_s = std::max(late_s, seen_s);
+  }
+  RecordProperty("late_s", std::to_string(late_s));
+  EXPECT_LE(late_s, 0.8);
+}
+
 class AnyMotion : public ::testing::TestWithParam<Motion> {};
 
 TEST_P(AnyMotion, TellsAParkedCarFromADrivingOne) {

@@ -39,7 +39,8 @@ TrackCells track_cells(const StepResult& step, const Track& track) {
           number(P(0, 2)),
           number(P(2, 2)),
           std::to_string(track.age_frames),
-          std::to_string(track.missed_frames)};
+          std::to_string(track.missed_frames),
+          number(track.moving_probability)};
 }
 
 bool is_text_column(std::string_view name) { return name == "class" || name == "status"; }

@@ -9,7 +9,7 @@
 namespace scanfuse::io {
 
 /// The columns of a track row, in the order in which they are written.
-inline constexpr std::array<std::string_view, 23> kTrackColumns = {"time_s",
+inline constexpr std::array<std::string_view, 24> kTrackColumns = {"time_s",
                                                                    "frame",
                                                                    "track_id",
                                                                    "class",
@@ -31,7 +31,8 @@ inline constexpr std::array<std::string_view, 23> kTrackColumns = {"time_s",
                                                                    "cov_xy_m2",
                                                                    "var_y_m2",
                                                                    "age_frames",
-                                                                   "missed_frames"};
+                                                                   "missed_frames",
+                                                                   "moving_probability"};
 
 [[nodiscard]] std::string track_header();
 /// A row per track of the step, each with its line end.

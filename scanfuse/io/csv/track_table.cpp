@@ -30,7 +30,8 @@ enum TrackColumn : std::size_t {
   kTrackCovXY,
   kTrackVarY,
   kTrackAge,
-  kTrackMissed
+  kTrackMissed,
+  kTrackMoving
 };
 
 const CsvColumns& track_columns() {
@@ -39,7 +40,7 @@ const CsvColumns& track_columns() {
       {"frame", "time_s", "track_id", "x_m", "y_m"},
       {"class", "class_probability", "status", "z_m", "heading_rad", "vx_m_per_s", "vy_m_per_s",
        "speed_m_per_s", "accel_m_per_s2", "yaw_rate_rad_per_s", "length_m", "width_m", "height_m",
-       "var_x_m2", "cov_xy_m2", "var_y_m2", "age_frames", "missed_frames"}};
+       "var_x_m2", "cov_xy_m2", "var_y_m2", "age_frames", "missed_frames", "moving_probability"}};
   return columns;
 }
 
@@ -56,6 +57,12 @@ int read_count(CsvTable& table, std::size_t column) {
   const std::int64_t value = table.whole(column);
   if (value < 0 || value > INT32_MAX) table.reject(column, "is no count");
   return static_cast<int>(value);
+}
+
+double read_probability(CsvTable& table, std::size_t column, double unknown) {
+  const double value = table.number(column, unknown);
+  if (!(value >= 0 && value <= 1)) table.reject(column, "is no probability");
+  return value;
 }
 
 void read_track_state(CsvTable& table, Track& track) {
@@ -90,6 +97,7 @@ Track read_track(CsvTable& table, Diagnostics& diagnostics) {
   read_track_state(table, track);
   track.age_frames = read_count(table, kTrackAge);
   track.missed_frames = read_count(table, kTrackMissed);
+  track.moving_probability = read_probability(table, kTrackMoving, 0.5);
   return track;
 }
 

@@ -43,6 +43,7 @@ constexpr std::string_view kTracksSchema =
     R"("length_m":{"type":"number"},"width_m":{"type":"number"},"height_m":{"type":"number"},)"
     R"("var_x_m2":{"type":"number"},"cov_xy_m2":{"type":"number"},"var_y_m2":{"type":"number"},)"
     R"("age_frames":{"type":"integer"},"missed_frames":{"type":"integer"},)"
+    R"("moving_probability":{"type":"number"},)"
     R"("detection":{"type":"integer","description":"index of the detection used, -1: none"},)"
     R"("nis":{"type":"number"},)"
     R"("state":{"type":"array","items":{"type":"number"},"description":"x, vx, y, vy"},)"

@@ -57,6 +57,7 @@ void track_object(JsonText& out, const Track& track) {
   out.field("height_m", track.height_m);
   out.field("var_x_m2", P(0, 0)).field("cov_xy_m2", P(0, 2)).field("var_y_m2", P(2, 2));
   out.field("age_frames", track.age_frames).field("missed_frames", track.missed_frames);
+  out.field("moving_probability", track.moving_probability);
   out.field("detection", track.detection).field("nis", track.nis);
   matrix(out, "state", track.state.mean);
   matrix(out, "state_covariance", P);

@@ -146,6 +146,7 @@ Track parse_track(JsonMembers& in) {
   track.yaw_rate_rad_per_s = in.number_or("yaw_rate_rad_per_s", 0);
   track.age_frames = in.count("age_frames");
   track.missed_frames = in.count("missed_frames");
+  track.moving_probability = in.number_or("moving_probability", 0.5);
   track.detection = in.count("detection");
   track.nis = in.number_or("nis", 0);
   const auto state = in.numbers("state", 4);
