@@ -21,7 +21,7 @@ constexpr double kCold = 0.05;     ///< temperature times entropy, by gap: the p
 constexpr double kReheat = 4;      ///< after a branch
 constexpr double kStalled = 0.98;  ///< of the gap before, or more: cooling does no good any more
 constexpr std::size_t kLargestProof = 40'000'000;  ///< numbers in all steps
-constexpr double kWorthSplitting = 0.7;  ///< of the columns are kept, or fewer
+constexpr double kWorthSplitting = 0.7;            ///< of the columns are kept, or fewer
 
 /// Whether the simplex is quicker than further annealing.
 bool suits_simplex(const PackingCore& core) {
@@ -325,8 +325,8 @@ class Search {
     return solve_parts(core, split_core(core, kept), bracket, temperature);
   }
 
-  SearchOutcome join_branches(const PackingCore& core, std::size_t column,
-                                     SearchOutcome with, SearchOutcome without) {
+  SearchOutcome join_branches(const PackingCore& core, std::size_t column, SearchOutcome with,
+                              SearchOutcome without) {
     auto step = claim(ProofStep::Kind::kBranch, core);
     step.branch_column = core.columns[column];
     SearchOutcome result;
