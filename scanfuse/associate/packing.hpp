@@ -77,7 +77,7 @@ struct PackingDiagnostics {
   std::int64_t branches = 0;      ///< of the search tree
   std::int64_t largest_core = 0;  ///< columns of the largest part that had to be branched on
   bool out_of_time = false;
-  bool out_of_nodes = false;
+  bool out_of_nodes = false;  ///< branches, or numbers in the proof (40 million a part)
 };
 
 struct PackingSolution {

@@ -1,7 +1,7 @@
 #include "scanfuse/associate/packing_bracket.hpp"
 
 #include <algorithm>
-#include <functional>
+#include <tuple>
 #include <utility>
 
 #include "scanfuse/associate/packing_prices.hpp"
@@ -51,8 +51,10 @@ Bracket with_packings(const PackingCore& core, Bracket bracket) {
   auto order = by_reduced_cost(costs, bracket.gap());
   order.resize(std::min(order.size(), kCandidates * core.rows.size()));
   offer(core, bracket, order);
-  std::ranges::stable_sort(order, std::greater{},
-                           [&](auto j) { return bracket.shares[static_cast<std::size_t>(j)]; });
+  std::ranges::sort(order, {}, [&](auto column) {
+    const auto j = static_cast<std::size_t>(column);
+    return std::tuple{-bracket.shares[j], costs[j], column};
+  });
   offer(core, bracket, order);
   return bracket;
 }

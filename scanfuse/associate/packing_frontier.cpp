@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 #include "scanfuse/associate/log_sums.hpp"
 
@@ -106,7 +107,8 @@ std::vector<Frontier::Move> Frontier::moves(std::size_t level, std::span<const F
           {without(with(states[s], option.rows), own_[level]), s, option.column, option.loss});
     }
   }
-  std::ranges::stable_sort(result, {}, &Move::to);
+  std::ranges::sort(result, {},
+                    [](const Move& move) { return std::tie(move.to, move.from, move.column); });
   return result;
 }
 
@@ -228,7 +230,9 @@ class Ranking {
       }
     }
     for (auto& list : ways) {
-      std::ranges::stable_sort(list, {}, &Way::loss);
+      std::ranges::sort(list, {}, [](const Way& way) {
+        return std::tie(way.loss, way.from, way.rank, way.column);
+      });
       if (list.size() > count_) list.resize(count_);
     }
     return keep_best(states, std::move(ways));
@@ -241,7 +245,7 @@ class Ranking {
     std::iota(kept.begin(), kept.end(), std::size_t{0});
     if (kept.size() > limits_.states) {
       complete_ = false;
-      std::ranges::stable_sort(kept, {}, [&](std::size_t s) { return ways[s][0].loss; });
+      std::ranges::sort(kept, {}, [&](std::size_t s) { return std::pair{ways[s][0].loss, s}; });
       kept.resize(limits_.states);
       std::ranges::sort(kept);
     }

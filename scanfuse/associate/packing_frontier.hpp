@@ -69,7 +69,8 @@ class Frontier {
 
   [[nodiscard]] bool fits() const { return fits_; }
   [[nodiscard]] std::size_t levels() const { return order_.size(); }
-  /// Moves out of the states at a level, those of one target state together, stably.
+  /// Moves out of the states at a level, those of one target state together, in a fixed
+  /// order.
   [[nodiscard]] std::vector<Move> moves(std::size_t level, std::span<const FrontierKey> states,
                                         std::span<const double> losses, double cut) const;
 

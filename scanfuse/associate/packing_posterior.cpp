@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "scanfuse/associate/packing_core.hpp"
@@ -50,6 +51,7 @@ double gap_of(const PricedPart& part) {
 
 std::vector<char> mark_chosen(const PackingCore& core, const PackingSolution& solution) {
   std::vector<char> chosen;
+  chosen.reserve(core.columns.size());
   for (const auto column : core.columns) {
     chosen.push_back(std::ranges::binary_search(solution.chosen, column) ? 1 : 0);
   }
@@ -99,7 +101,8 @@ class Merger {
         sums.push_back({totals_[t].loss + list[k].loss, t, k});
       }
     }
-    std::ranges::stable_sort(sums, {}, &Total::loss);
+    std::ranges::sort(sums, {},
+                      [](const Total& sum) { return std::tie(sum.loss, sum.before, sum.item); });
     if (sums.size() > count_) sums.resize(count_);
     history_.push_back(std::exchange(totals_, std::move(sums)));
     lists_.push_back(std::move(list));

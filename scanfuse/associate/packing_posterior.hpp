@@ -45,7 +45,7 @@ struct PackingRanking {
 
 struct PosteriorOptions {
   int max_moves = 300000;
-  double cut = 25;
+  double cut = 12;
 
   static constexpr auto fields() {
     using O = PosteriorOptions;

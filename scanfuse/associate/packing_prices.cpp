@@ -9,6 +9,7 @@ namespace {
 
 /// Its exponential can still be multiplied with another and summed up.
 constexpr double kLargestExponent = 300;
+constexpr double kLeastSum = 1e-130;  ///< about exp(-kLargestExponent)
 
 }  // namespace
 
@@ -53,11 +54,12 @@ void SoftPrices::refresh(double temperature) {
 double SoftPrices::update(std::size_t row, double temperature) {
   double sum = 0;
   for (const auto j : core_.row(row)) sum += shares_[static_cast<std::size_t>(j)];
-  const double rise = sum > 0 ? std::log(sum) : -kLargestExponent;
+  const bool vanished = sum < kLeastSum;  // its inverse would be infinite
+  const double rise = vanished ? -kLargestExponent : std::log(sum);
   const double price = std::max(0.0, prices_[row] + temperature * rise);
   const double step = price - prices_[row];
   if (step == 0) return 0;
-  const double factor = price > 0 && sum > 0 ? 1 / sum : std::exp(-step / temperature);
+  const double factor = price > 0 && !vanished ? 1 / sum : std::exp(-step / temperature);
   prices_[row] = price;
   for (const auto j : core_.row(row)) shares_[static_cast<std::size_t>(j)] *= factor;
   return std::abs(step);

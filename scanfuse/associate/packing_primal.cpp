@@ -139,8 +139,8 @@ CorePacking greedy_packing(const PackingCore& core, std::span<const std::int32_t
 std::vector<std::int32_t> by_weight(const PackingCore& core) {
   std::vector<std::int32_t> order(core.columns.size());
   std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(order, std::greater{},
-                           [&](auto j) { return core.weights[static_cast<std::size_t>(j)]; });
+  std::ranges::sort(
+      order, {}, [&](auto j) { return std::pair{-core.weights[static_cast<std::size_t>(j)], j}; });
   return order;
 }
 
@@ -149,11 +149,12 @@ std::vector<std::int32_t> by_reduced_cost(std::span<const double> costs, double 
   for (std::size_t j = 0; j < costs.size(); ++j) {
     if (costs[j] <= most) order.push_back(static_cast<std::int32_t>(j));
   }
-  std::ranges::stable_sort(order, {}, [&](auto j) { return costs[static_cast<std::size_t>(j)]; });
+  std::ranges::sort(order, {},
+                    [&](auto j) { return std::pair{costs[static_cast<std::size_t>(j)], j}; });
   return order;
 }
 
-CorePacking improved_packing(const PackingCore& core, CorePacking packing,
+CorePacking improved_packing(const PackingCore& core, const CorePacking& packing,
                              std::span<const std::int32_t> candidates) {
   Swapper swapper(core, packing, candidates);
   constexpr int kRounds = 20;

@@ -22,7 +22,7 @@ namespace scanfuse::associate {
 /// Local search: a candidate is put in, the chosen columns in its way are taken out, and the rows
 /// they leave are filled again from the candidates, in their order; kept where the weight grows.
 /// Until no candidate does any good.
-[[nodiscard]] CorePacking improved_packing(const PackingCore& core, CorePacking packing,
+[[nodiscard]] CorePacking improved_packing(const PackingCore& core, const CorePacking& packing,
                                            std::span<const std::int32_t> candidates);
 
 }  // namespace scanfuse::associate

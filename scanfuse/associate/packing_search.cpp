@@ -20,7 +20,8 @@ constexpr double kSettled = 0.02;  ///< prices that move less, in temperatures
 constexpr double kCold = 0.05;     ///< temperature times entropy, by gap: the prices are optimal
 constexpr double kReheat = 4;      ///< after a branch
 constexpr double kStalled = 0.98;  ///< of the gap before, or more: cooling does no good any more
-constexpr double kWorthSplitting = 0.7;  ///< of the columns are kept, or fewer
+constexpr std::size_t kLargestProof = 40'000'000;  ///< numbers in all steps
+constexpr double kWorthSplitting = 0.7;            ///< of the columns are kept, or fewer
 
 /// Whether the simplex is quicker than further annealing.
 bool suits_simplex(const PackingCore& core) {
@@ -111,14 +112,15 @@ class Search {
     return optimum.optimal;
   }
 
-  static ProofStep claim(ProofStep::Kind kind, const PackingCore& core) {
+  ProofStep claim(ProofStep::Kind kind, const PackingCore& core) {
     ProofStep step;
     step.kind = kind;
     step.columns = core.columns;
+    proof_size_ += core.columns.size() + 2 * core.rows.size();
     return step;
   }
 
-  static ProofStep price_claim(const PackingCore& core, const Bracket& bracket) {
+  ProofStep price_claim(const PackingCore& core, const Bracket& bracket) {
     auto step = claim(ProofStep::Kind::kPrices, core);
     step.rows = core.rows;
     step.prices = bracket.prices;
@@ -134,7 +136,7 @@ class Search {
     return outcome;
   }
 
-  static SearchOutcome leaf(const PackingCore& core, const Bracket& bracket) {
+  SearchOutcome leaf(const PackingCore& core, const Bracket& bracket) {
     auto outcome = found(core, bracket.best);
     outcome.bound = bracket.dual;
     outcome.proof.push_back(price_claim(core, bracket));
@@ -224,7 +226,7 @@ class Search {
     return outcomes;
   }
 
-  static SearchOutcome join(const PackingCore& core, std::vector<SearchOutcome> outcomes) {
+  SearchOutcome join(const PackingCore& core, std::vector<SearchOutcome> outcomes) {
     if (outcomes.size() == 1) return std::move(outcomes[0]);
     SearchOutcome result;
     if (outcomes.empty()) return result;
@@ -265,7 +267,8 @@ class Search {
   SearchOutcome branch(const PackingCore& core, PackingCore part, const Bracket& bracket,
                        double temperature) {
     const auto here = part_of(core, std::move(part), bracket, 0);
-    if (diagnostics_.branches >= limits_.max_branches || out_of_time()) {
+    const bool full = diagnostics_.branches >= limits_.max_branches || proof_size_ > kLargestProof;
+    if (full || out_of_time()) {
       diagnostics_.out_of_nodes = diagnostics_.out_of_nodes || !diagnostics_.out_of_time;
       return surrender(here);
     }
@@ -288,7 +291,7 @@ class Search {
     return bracket;
   }
 
-  static SearchOutcome surrender(const SearchPart& part) {
+  SearchOutcome surrender(const SearchPart& part) {
     Bracket bracket = bracket_of(part, 0);
     bracket.dual = total(part.prices);
     for (const auto j : part.start) {
@@ -322,8 +325,8 @@ class Search {
     return solve_parts(core, split_core(core, kept), bracket, temperature);
   }
 
-  static SearchOutcome join_branches(const PackingCore& core, std::size_t column,
-                                     SearchOutcome with, SearchOutcome without) {
+  SearchOutcome join_branches(const PackingCore& core, std::size_t column, SearchOutcome with,
+                              SearchOutcome without) {
     auto step = claim(ProofStep::Kind::kBranch, core);
     step.branch_column = core.columns[column];
     SearchOutcome result;
@@ -339,6 +342,7 @@ class Search {
 
   const SearchLimits limits_;
   PackingDiagnostics diagnostics_;
+  std::size_t proof_size_ = 0;
 };
 
 }  // namespace

@@ -38,6 +38,7 @@ struct OrderedCore {
   explicit OrderedCore(const PackingCore& packing_core, const Packing& packing)
       : core(packing_core), set_of_row(packing_core.rows.size()) {
     std::vector<std::int32_t> sets;
+    sets.reserve(core.rows.size());
     for (const auto row : core.rows)
       sets.push_back(packing.set_of_row[static_cast<std::size_t>(row)]);
     auto names = sets;
@@ -92,6 +93,7 @@ class Stages {
     collect_alone(set);
     collect_pairs(set);
     std::vector<Candidate> candidates;
+    candidates.reserve(pairs_.size());
     for (const auto& offer : pairs_) candidates.push_back(offer.pair);
     assignment_ =
         assign_global(static_cast<int>(prefix_count_), static_cast<int>(rows_), candidates, 0);

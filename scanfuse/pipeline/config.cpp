@@ -75,13 +75,15 @@ PerceptionOptions model_chain() {
   return options;
 }
 
-/// A vehicle seen in part must not take over a small object's track, nor the reverse.
+/// A vehicle seen in part must not take over a small object's track, nor the reverse. What is hidden
+/// beside a road may be anything: it is followed there for a shorter time.
 PerceptionOptions road_users_chain() {
   PerceptionOptions options;
   options.classify.keep = classify::Keep::kRoadUsers;
   options.classify.method = classify::Method::kSoftmax;
   use_classes(options, default_classes());
   options.track.class_mismatch_cost = 100;
+  options.track.coast_hidden_share = 1.5;
   return options;
 }
 

@@ -70,8 +70,8 @@ struct TrackerOptions {
   double coast_sigma_m = 2.5;
   int coast_frames = 0;
   double max_gap_s = 2;
-  double confirm_other_probability = 0.3;
-  double doubt_other_probability = 0.4;
+  double confirm_other_probability = 0.2;
+  double doubt_other_probability = 0.3;
   bool births_inside_tracks = false;
   /// Filters class probabilities over time; without it the class is that of the largest sum of
   /// scores. The pipeline puts it in where the recogniser tells probabilities.

@@ -62,10 +62,32 @@ inline Scene box(int targets, int sensors, RandomStream& random) {
   return scene;
 }
 
+/// A packing and the target that each row is of, -1 for clutter.
+struct Labelled {
+  Packing packing;
+  std::vector<int> target_of_row;
+
+  /// Whether a column holds all rows of one target and no others.
+  [[nodiscard]] bool is_right(std::size_t column) const {
+    const auto rows = packing.column(column);
+    const int target = target_of_row[static_cast<std::size_t>(rows[0])];
+    const auto same = [&](auto row) {
+      return target_of_row[static_cast<std::size_t>(row)] == target;
+    };
+    return target >= 0 && std::ranges::all_of(rows, same) &&
+           std::ranges::count(target_of_row, target) == static_cast<std::ptrdiff_t>(rows.size());
+  }
+};
+
 /// Grows tuples sensor by sensor from pairs of lines that pass close to each other.
 class Columns {
  public:
   Columns(const Scene& scene, RandomStream& random) : scene_(scene) { measure(random); }
+
+  Labelled labelled() {
+    auto columns = packing();
+    return {std::move(columns), std::move(target_of_row_)};
+  }
 
   Packing packing() {
     for (std::size_t s = 0; s < bearings_.size(); ++s) {
@@ -78,7 +100,8 @@ class Columns {
   struct Bearing {
     double azimuth, elevation;
     Eigen::Vector3d ray;
-    std::int32_t row;
+    std::int32_t row = 0;
+    int target = -1;
   };
   struct Member {
     std::size_t sensor;
@@ -89,8 +112,7 @@ class Columns {
     return {azimuth,
             elevation,
             {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
-             std::sin(elevation)},
-            0};
+             std::sin(elevation)}};
   }
 
   void measure(RandomStream& random) {
@@ -101,8 +123,9 @@ class Columns {
         const double azimuth = random.normal(std::atan2(d.y(), d.x()), scene_.noise_rad);
         const double elevation =
             random.normal(std::atan2(d.z(), d.head<2>().norm()), scene_.noise_rad);
-        if (random.chance(scene_.detection))
-          seen.push_back(bearing(std::remainder(azimuth, 2 * std::numbers::pi), elevation));
+        if (!random.chance(scene_.detection)) continue;
+        seen.push_back(bearing(std::remainder(azimuth, 2 * std::numbers::pi), elevation));
+        seen.back().target = static_cast<int>(&target - scene_.targets_km.data());
       }
       for (int c = 0; c < static_cast<int>(scene_.false_alarms); ++c) {
         seen.push_back(
@@ -112,6 +135,7 @@ class Columns {
       for (auto& b : seen) {
         b.row = static_cast<std::int32_t>(packing_.set_of_row.size());
         packing_.set_of_row.push_back(static_cast<std::int32_t>(s));
+        target_of_row_.push_back(b.target);
       }
       bearings_.push_back(std::move(seen));
     }
@@ -226,10 +250,15 @@ class Columns {
   Packing packing_;
   std::vector<std::vector<Bearing>> bearings_;
   std::vector<Member> tuple_;
+  std::vector<int> target_of_row_;
 };
 
 inline Packing packing_of(const Scene& scene, RandomStream& random) {
   return Columns(scene, random).packing();
+}
+
+inline Labelled labelled(const Scene& scene, RandomStream& random) {
+  return Columns(scene, random).labelled();
 }
 
 }  // namespace scanfuse::associate::scenes
