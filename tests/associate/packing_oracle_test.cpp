@@ -27,6 +27,8 @@ double by_cbc(const Packing& packing) {
   std::vector<double> ones(packing.members.size(), 1.0), low(packing.columns(), 0.0),
       high(packing.columns(), 1.0), gains, row_low(packing.rows(), -1e30),
       row_high(packing.rows(), 1.0);
+  starts.reserve(packing.starts.size());
+  gains.reserve(packing.columns());
   for (const auto start : packing.starts) starts.push_back(static_cast<CoinBigIndex>(start));
   for (const double w : packing.weights) gains.push_back(w / scale);
   Cbc_Model* model = Cbc_newModel();
