@@ -62,7 +62,7 @@ Result<PassiveScene> make_scene(const PassiveOptions& options, RandomStream& ran
   const bool cameras = options.sensor_layout == SensorLayout::kCameras;
   PassiveScene scene;
   scene.volume_m = cameras ? kCube : kWide;
-  scene.expected_targets = options.targets;
+  if (options.targets > 0) scene.expected_targets = options.targets;
   double noise = options.noise_rad;
   for (const Eigen::Vector3d& p : *positions) {
     PassiveSensor sensor;

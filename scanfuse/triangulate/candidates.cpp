@@ -49,7 +49,14 @@ struct Search {
   Gate gate;
   double sigmas = 0;  ///< of a pair's miss
   std::int64_t most = 0;
+  std::int64_t most_pairs = 0;
   std::atomic<std::int64_t> found{0};
+  std::atomic<std::int64_t> tried{0};
+
+  [[nodiscard]] bool too_many() const {
+    return found.load(std::memory_order_relaxed) > most ||
+           tried.load(std::memory_order_relaxed) > most_pairs;
+  }
 };
 
 double weight_of(const Search& search, const Hypothesis& h) {
@@ -64,6 +71,7 @@ class Grower {
 
   void grow_from(std::size_t sensor, std::size_t line) {
     const SensorLines& first = search_.sensors[sensor];
+    const std::int64_t before = out_.tried;
     for (partner_ = sensor + 1; partner_ < search_.sensors.size(); ++partner_) {
       const SensorLines& second = search_.sensors[partner_];
       search_.pairs[sensor][partner_ - sensor - 1].for_partners(
@@ -77,6 +85,7 @@ class Grower {
             take(met->middle_m, sensor + 1);
           });
     }
+    search_.tried.fetch_add(out_.tried - before, std::memory_order_relaxed);
   }
 
  private:
@@ -93,7 +102,7 @@ class Grower {
 
   /// Locates what lines_ holds, keeps it, and grows it by the sensors from `next` on.
   void take(const Eigen::Vector3d& start_m, std::size_t next) {
-    if (search_.found.load(std::memory_order_relaxed) > search_.most) return;
+    if (search_.too_many()) return;
     const auto at = most_likely(lines_, start_m, search_.prior.height());
     if (!at || at->chi2 > search_.gate.of(degrees_of_freedom())) return;
     const double weight = weight_of(search_, {lines_, *at});
@@ -190,7 +199,7 @@ Candidates grow_all(Search& search, int threads) {
   parallel_for(parts.size(), threads, [&](std::size_t part) {
     Grower grower(search, parts[part]);
     const std::size_t end = std::min(firsts.size(), (part + 1) * kChunk);
-    for (std::size_t k = part * kChunk; k < end; ++k) {
+    for (std::size_t k = part * kChunk; k < end && !search.too_many(); ++k) {
       grower.grow_from(firsts[k].first, firsts[k].second);
     }
   });
@@ -258,11 +267,15 @@ Candidates find_candidates(const BearingScan& scan, const PassiveScene& scene,
   Candidates all;
   for (const double share : kNarrower) {
     const double probability = options.gate_probability * share;
-    Search search{scene, prior,
-                  cost,  by_sensor(scan, scene),
-                  {},    Gate(probability, scene.sensors.size()),
-                  0,     options.most_candidates,
-                  {}};
+    Search search{scene,
+                  prior,
+                  cost,
+                  by_sensor(scan, scene),
+                  {},
+                  Gate(probability, scene.sensors.size()),
+                  0,
+                  options.most_candidates,
+                  options.most_pairs};
     search.sigmas = std::sqrt(search.gate.of(1));
     for (std::size_t a = 0; a < search.sensors.size(); ++a) {
       auto& pairs = search.pairs.emplace_back();
@@ -272,7 +285,7 @@ Candidates find_candidates(const BearingScan& scan, const PassiveScene& scene,
     }
     all = grow_all(search, threads);
     all.gate_probability = probability;
-    all.too_many = search.found > search.most;
+    all.too_many = search.too_many();
     if (!all.too_many) break;
   }
   Candidates kept = all.too_many ? Candidates{} : without_dominated(all);
