@@ -19,8 +19,8 @@ using report::Series;
 using simulate::PassiveOptions;
 using triangulate::CostMethod;
 
-constexpr int kChartWidth_px = 600;
-constexpr int kChartHeight_px = 340;
+constexpr int kChartWidth_px = 400;
+constexpr int kChartHeight_px = 300;
 
 /// Charts and figures of one page, gathered.
 struct Curves {
@@ -41,7 +41,7 @@ PassiveOptions line_of(int targets, double spacing_m, double noise_rad) {
 void add_rates(Curves& curves, int targets, const std::vector<double>& spacings_km,
                double noise_rad, const SeedRange& seeds, int threads) {
   const std::string scene = fmt::format("{} targets, {:g} mrad", targets, noise_rad * 1e3);
-  Chart chart{scene + ": share of targets with exactly their bearings",
+  Chart chart{scene + ": rate of exact tuples",
               "distance between neighbours [km]",
               "rate",
               {},

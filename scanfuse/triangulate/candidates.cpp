@@ -49,14 +49,9 @@ struct Search {
   Gate gate;
   double sigmas = 0;  ///< of a pair's miss
   std::int64_t most = 0;
-  std::int64_t most_pairs = 0;
   std::atomic<std::int64_t> found{0};
-  std::atomic<std::int64_t> tried{0};
 
-  [[nodiscard]] bool too_many() const {
-    return found.load(std::memory_order_relaxed) > most ||
-           tried.load(std::memory_order_relaxed) > most_pairs;
-  }
+  [[nodiscard]] bool too_many() const { return found.load(std::memory_order_relaxed) > most; }
 };
 
 double weight_of(const Search& search, const Hypothesis& h) {
@@ -71,7 +66,6 @@ class Grower {
 
   void grow_from(std::size_t sensor, std::size_t line) {
     const SensorLines& first = search_.sensors[sensor];
-    const std::int64_t before = out_.tried;
     for (partner_ = sensor + 1; partner_ < search_.sensors.size(); ++partner_) {
       const SensorLines& second = search_.sensors[partner_];
       search_.pairs[sensor][partner_ - sensor - 1].for_partners(
@@ -85,7 +79,6 @@ class Grower {
             take(met->middle_m, sensor + 1);
           });
     }
-    search_.tried.fetch_add(out_.tried - before, std::memory_order_relaxed);
   }
 
  private:
@@ -188,6 +181,28 @@ std::vector<SensorLines> by_sensor(const BearingScan& scan, const PassiveScene& 
   return sensors;
 }
 
+/// Whether the indices hold out more pairs than `most`. Nothing is counted where there cannot be.
+bool too_many_pairs(const Search& search, std::int64_t most) {
+  const auto& sensors = search.sensors;
+  std::int64_t possible = 0;
+  for (std::size_t a = 0; a < sensors.size(); ++a) {
+    for (std::size_t b = a + 1; b < sensors.size(); ++b) {
+      possible += std::ssize(sensors[a].lines) * std::ssize(sensors[b].lines);
+    }
+  }
+  if (possible <= most) return false;
+  std::int64_t pairs = 0;
+  for (std::size_t a = 0; a < sensors.size(); ++a) {
+    for (const LineOfSight& line : sensors[a].lines) {
+      for (const EpipolarIndex& index : search.pairs[a]) {
+        index.for_partners(line, search.sigmas, [&](std::int32_t) { ++pairs; });
+      }
+      if (pairs > most) return true;
+    }
+  }
+  return false;
+}
+
 /// All hypotheses at one gate; more than search.most: how many they are is all that can be used.
 Candidates grow_all(Search& search, int threads) {
   constexpr std::size_t kChunk = 32;
@@ -267,15 +282,11 @@ Candidates find_candidates(const BearingScan& scan, const PassiveScene& scene,
   Candidates all;
   for (const double share : kNarrower) {
     const double probability = options.gate_probability * share;
-    Search search{scene,
-                  prior,
-                  cost,
-                  by_sensor(scan, scene),
-                  {},
-                  Gate(probability, scene.sensors.size()),
-                  0,
-                  options.most_candidates,
-                  options.most_pairs};
+    Search search{scene, prior,
+                  cost,  by_sensor(scan, scene),
+                  {},    Gate(probability, scene.sensors.size()),
+                  0,     options.most_candidates,
+                  {}};
     search.sigmas = std::sqrt(search.gate.of(1));
     for (std::size_t a = 0; a < search.sensors.size(); ++a) {
       auto& pairs = search.pairs.emplace_back();
@@ -283,9 +294,10 @@ Candidates find_candidates(const BearingScan& scan, const PassiveScene& scene,
         pairs.emplace_back(search.sensors[a].origin_m, search.sensors[b].lines);
       }
     }
-    all = grow_all(search, threads);
+    all.too_many = too_many_pairs(search, options.most_pairs);
+    if (!all.too_many) all = grow_all(search, threads);
     all.gate_probability = probability;
-    all.too_many = search.too_many();
+    all.too_many = all.too_many || search.too_many();
     if (!all.too_many) break;
   }
   Candidates kept = all.too_many ? Candidates{} : without_dominated(all);

@@ -89,8 +89,9 @@ TEST(Associate, TellsTheBestAssociationsFromTheHeaviestOn) {
   EXPECT_NEAR(best[0]["weight"].get<double>(), scan["primal"].get<double>(), 1e-6);
   for (std::size_t k = 0; k < best.size(); ++k) {
     EXPECT_EQ(best[k]["targets"], best[k]["tuples"].size());
-    if (k > 0) EXPECT_LE(best[k]["weight"].get<double>(), best[k - 1]["weight"].get<double>());
-    if (k > 0) EXPECT_NE(best[k]["tuples"], best[k - 1]["tuples"]);
+    if (k == 0) continue;
+    EXPECT_LE(best[k]["weight"].get<double>(), best[k - 1]["weight"].get<double>());
+    EXPECT_NE(best[k]["tuples"], best[k - 1]["tuples"]);
   }
 }
 
