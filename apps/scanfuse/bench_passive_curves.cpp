@@ -92,7 +92,7 @@ void add_growth(Curves& curves, const std::string& what, const std::vector<int>&
     const double most = median_of(outcome.columns);
     seconds.points.emplace_back(count, scan_ms);
     solver.points.emplace_back(count, solver_ms);
-    columns.points.emplace_back(count, most);
+    columns.points.emplace_back(count, most / 1e3);
     table.rows.push_back({fmt::format("{}", count), fmt::format("{:.2f}", scan_ms),
                           fmt::format("{:.2f}", solver_ms), fmt::format("{:.0f}", most),
                           fmt::format("{} of {}", outcome.unproved, outcome.seconds.size())});
@@ -100,7 +100,8 @@ void add_growth(Curves& curves, const std::string& what, const std::vector<int>&
     curves.rows.push_back({fmt::format("{} {}: hypotheses, median", count, what), most, ""});
   }
   table.note = fmt::format(
-      "One thread, {} scenes a row from seed {} on: PD {:g}, {:g} mrad, {:g} false alarms a "
+      "One thread, wall time, {} scenes a row from seed {} on: PD {:g}, {:g} mrad, {:g} false "
+      "alarms a "
       "sensor, "
       "40 x 40 x 11 km.",
       seeds.count, seeds.first, base.detection_probability, base.noise_rad * 1e3,
@@ -111,8 +112,12 @@ void add_growth(Curves& curves, const std::string& what, const std::vector<int>&
                            {seconds, solver},
                            kChartWidth_px,
                            kChartHeight_px});
-  curves.charts.push_back(
-      {"Hypotheses against " + what, what, "columns", {columns}, kChartWidth_px, kChartHeight_px});
+  curves.charts.push_back({"Hypotheses against " + what,
+                           what,
+                           "thousands",
+                           {columns},
+                           kChartWidth_px,
+                           kChartHeight_px});
   curves.tables.push_back(std::move(table));
 }
 
