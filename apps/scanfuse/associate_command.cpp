@@ -275,7 +275,10 @@ int run_associate(const AssociateArguments& arguments, const CommonOptions& comm
   for (const BearingScan& scan : *scans) {
     if (interrupted) break;
     auto done = take_scan(scan, *scene, arguments, *options, common.threads, *output, run);
-    if (!done) return report_error(done.error());
+    if (!done) {
+      if (auto kept = output->finish(); !kept) return report_error(kept.error());
+      return report_error(done.error());
+    }
     progress.update(run.totals.scans, std::ssize(*scans));
   }
   if (auto done = output->finish(); !done) return report_error(done.error());
@@ -330,10 +333,10 @@ void add_associate(Tool& tool) {
       ->capture_default_str();
   app->add_option("--best", arguments->best, "Tell the M best associations of each scan")
       ->check(CLI::Range(1, 1000));
-  app->add_option("--report", arguments->report, "A page to look at: .html");
-  app->add_option(
-      "--truth", arguments->truth,
-      "Where targets really were, for the report: frame,time_s,object_id,class,x_m,...");
+  auto* report = app->add_option("--report", arguments->report, "A page to look at: .html");
+  app->add_option("--truth", arguments->truth,
+                  "Where targets really were, for the report: frame,time_s,object_id,class,x_m,...")
+      ->needs(report);
   app->add_option("--set", arguments->sets, "Change a setting: section.name=value")
       ->allow_extra_args(false);
   app->add_flag("--json", arguments->json, "One JSON object on stdout");

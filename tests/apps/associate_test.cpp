@@ -200,6 +200,25 @@ TEST(Associate, FindsNothingInParallelOrLonelyLines) {
   }
 }
 
+TEST(Associate, KeepsTheFixesBeforeAScanThatIsTooMuch) {
+  std::string rows = kOneTarget;
+  for (int k = 0; k < 200; ++k) {
+    const std::string place = std::to_string(k) + "," + std::to_string(0.5 + 0.002 * k) + ",0\n";
+    rows += "1,1,a," + place + "1,1,b," + place;
+  }
+  const Bearings files = written(rows);
+  const auto run = files.associate("--set candidates.most_pairs=1000 -o " + files.at("fixes.csv"));
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, AllOf(HasSubstr("scan 1: too many ways"), HasSubstr("most_pairs")));
+  EXPECT_THAT(content_of(files.at("fixes.csv")), HasSubstr("\n0,"));
+  EXPECT_THAT(unfinished_files(*files.place), IsEmpty());
+}
+
+TEST(Associate, RefusesTruthWithoutAReport) {
+  const Bearings files = simulated();
+  EXPECT_EQ(files.associate("--truth " + files.truth).code, 2);
+}
+
 TEST(Associate, NeverWritesOverItsInput) {
   const Bearings files = written(kOneTarget);
   for (const auto& [option, path] : {std::pair{"-o ", files.bearings},
