@@ -103,7 +103,7 @@ ReportTable component_table(const associate::PackingSolution& solution) {
                           fmt::format("{:.2g}", std::max(0.0, c.dual - c.primal)), yes(c.proved)});
   }
   table.note = fmt::format(
-      "{} parts share no bearing; those with the largest gap, then the largest. All together: "
+      "Parts that share no bearing: {}; those with the largest gap, then the largest. Together: "
       "primal {:.4f}, dual {:.4f}; no association weighs more than the dual.",
       order.size(), solution.primal, solution.dual);
   return table;
@@ -249,7 +249,7 @@ std::string AssociationReport::page(const std::string& bearings) const {
     if (method == options_.cost) cost = name;
   }
   const std::string note =
-      fmt::format("Which bearings of {} sensors belong to one target. Cost: {}. {} scans{}.",
+      fmt::format("Which bearings of {} sensors belong to one target. Cost: {}. Scans: {}{}.",
                   scene_.sensors.size(), cost, count_,
                   stride_ > 1 ? fmt::format(", one in {} shown in full", stride_) : "");
   return report::passive_page(bearings, note, scene_.sensors, {scans}, sections_);
