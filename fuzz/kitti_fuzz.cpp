@@ -2,6 +2,7 @@
 #include <cstdlib>
 
 #include "scanfuse/io/folder/stamps.hpp"
+#include "scanfuse/io/kitti/camera.hpp"
 #include "scanfuse/io/kitti/labels.hpp"
 #include "scanfuse/io/kitti/open_kitti.hpp"
 #include "scanfuse/io/kitti/oxts.hpp"

@@ -3,9 +3,11 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "associate_report.hpp"
 #include "command.hpp"
 #include "scanfuse/io/atomic_file.hpp"
 #include "scanfuse/io/passive/passive.hpp"
+#include "scanfuse/io/tables.hpp"
 #include "scanfuse/triangulate/associate_scan.hpp"
 
 namespace scanfuse::app {
@@ -21,8 +23,11 @@ struct AssociateArguments {
   std::string assignments;
   std::string cost = "evidence";
   std::string solver = "default";
+  std::string report;
+  std::string truth;
   std::vector<std::string> sets;
   double time_limit_s = 60;
+  int best = 0;  ///< associations of each scan that are told of
   bool json = false;
 };
 
@@ -101,6 +106,29 @@ class AssociationOutput {
   std::optional<io::AtomicFile> fixes_, assignments_;
 };
 
+/// The rows of "best": weight, number of targets, and the bearings of each as [sensor,
+/// measurement].
+nlohmann::json ranking_json(const BearingScan& scan, const PassiveScene& scene,
+                            const ScanAssociation& found,
+                            const associate::PackingRanking& ranking) {
+  nlohmann::json rows = nlohmann::json::array();
+  for (const auto& packing : ranking.packings) {
+    nlohmann::json tuples = nlohmann::json::array();
+    for (const auto column : packing.chosen) {
+      nlohmann::json tuple = nlohmann::json::array();
+      for (const auto place : found.packing.column(static_cast<std::size_t>(column))) {
+        const Bearing& b = scan.bearings[static_cast<std::size_t>(place)];
+        tuple.push_back({scene.sensors[static_cast<std::size_t>(b.sensor)].name, b.measurement});
+      }
+      tuples.push_back(std::move(tuple));
+    }
+    rows.push_back({{"weight", packing.weight},
+                    {"targets", packing.chosen.size()},
+                    {"tuples", std::move(tuples)}});
+  }
+  return rows;
+}
+
 nlohmann::json as_json(const BearingScan& scan, const ScanAssociation& found, double seconds) {
   return {{"scan", scan.scan},
           {"targets", found.fixes.size()},
@@ -130,7 +158,7 @@ void print_totals(const Totals& totals, const AssociateArguments& arguments) {
   fmt::print("  {:<18} {}\n", "left as clutter", totals.clutter);
   fmt::print("  {:<18} {} of {} scans, largest gap {:.3g}\n", "proved optimal", totals.proved,
              totals.scans, totals.worst_gap);
-  for (const auto& path : {arguments.out, arguments.assignments}) {
+  for (const auto& path : {arguments.out, arguments.assignments, arguments.report}) {
     if (!path.empty()) fmt::print("  {:<18} {}\n", "wrote", path);
   }
 }
@@ -151,52 +179,119 @@ void note_oddities(const BearingScan& scan, const ScanAssociation& found,
   if (found.solution.diagnostics.out_of_time) diagnostics.note("solver out of time", where);
 }
 
+/// What a run gathers besides the files that grow.
+struct AssociationRun {
+  nlohmann::json rows = nlohmann::json::array();
+  Totals totals;
+  Diagnostics diagnostics;
+  std::optional<AssociationReport> report;
+};
+
+/// Associates one scan and hands the answer to all that want it.
+Result<void> take_scan(const BearingScan& scan, const PassiveScene& scene,
+                       const AssociateArguments& arguments, const AssociationOptions& options,
+                       int threads, AssociationOutput& output, AssociationRun& run) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto found = triangulate::associate_scan(scan, scene, options, threads);
+  if (!found) return tl::unexpected(found.error());
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  note_oddities(scan, *found, options, run.diagnostics);
+  if (auto wrote = output.write(scan, *found, scene); !wrote) return wrote;
+  std::optional<associate::PackingRanking> ranking;
+  if (arguments.best > 0) {
+    auto ranked =
+        associate::best_packings(found->packing, found->solution, {.count = arguments.best});
+    if (!ranked) return tl::unexpected(ranked.error());
+    ranking = std::move(*ranked);
+  }
+  if (arguments.json) {
+    auto row = as_json(scan, *found, seconds);
+    if (ranking) {
+      row["best"] = ranking_json(scan, scene, *found, *ranking);
+      row["best_exact"] = ranking->exact;
+    }
+    run.rows.push_back(std::move(row));
+  }
+  if (run.report) run.report->add(scan, *found, seconds, ranking ? &*ranking : nullptr);
+  Totals& totals = run.totals;
+  totals.bearings += scan.bearings.size();
+  totals.targets += found->fixes.size();
+  for (const auto target : found->target_of_bearing) totals.clutter += target < 0 ? 1 : 0;
+  totals.proved += found->solution.proved ? 1 : 0;
+  totals.worst_gap = std::max(totals.worst_gap, found->solution.gap());
+  ++totals.scans;
+  return {};
+}
+
+Result<PassiveTruth> read_passive_truth(const std::string& path, Diagnostics& diagnostics) {
+  PassiveTruth truth;
+  if (path.empty()) return truth;
+  const auto frames = io::read_truth(path, &diagnostics);
+  if (!frames) return tl::unexpected(frames.error());
+  for (const TruthFrame& frame : *frames) {
+    for (const TruthObject& object : frame.objects) {
+      truth[frame.frame].emplace_back(object.position_m.x(), object.position_m.y(), object.z_m);
+    }
+  }
+  return truth;
+}
+
+Result<void> refuse_replacing(const AssociateArguments& arguments) {
+  for (const auto& out : {arguments.out, arguments.assignments, arguments.report}) {
+    for (const auto& in : {arguments.bearings, arguments.sensors, arguments.truth}) {
+      if (in.empty()) continue;
+      if (auto fine = refuse_to_replace(in, out); !fine) return fine;
+    }
+  }
+  return {};
+}
+
+Result<void> write_page(const std::string& path, const std::string& page) {
+  auto file = io::AtomicFile::create(path);
+  if (!file) return tl::unexpected(file.error());
+  if (auto wrote = file->write(page); !wrote) return wrote;
+  return file->commit();
+}
+
 int run_associate(const AssociateArguments& arguments, const CommonOptions& common) {
   catch_interrupts();
   const auto options = association_options(arguments);
   if (!options) return report_error(options.error());
-  for (const auto& out : {arguments.out, arguments.assignments}) {
-    for (const auto& in : {arguments.bearings, arguments.sensors}) {
-      if (auto fine = refuse_to_replace(in, out); !fine) return report_error(fine.error());
-    }
-  }
+  if (auto fine = refuse_replacing(arguments); !fine) return report_error(fine.error());
   const auto scene = io::read_sensors(arguments.sensors);
   if (!scene) return report_error(scene.error());
-  Diagnostics diagnostics;
-  const auto scans = io::read_bearings(arguments.bearings, *scene, &diagnostics);
+  AssociationRun run;
+  const auto scans = io::read_bearings(arguments.bearings, *scene, &run.diagnostics);
   if (!scans) return report_error(scans.error());
+  auto truth = read_passive_truth(arguments.truth, run.diagnostics);
+  if (!truth) return report_error(truth.error());
+  if (!arguments.report.empty()) {
+    run.report.emplace(*scene, *options, std::move(*truth), scans->size(), common.threads);
+  }
   auto output = AssociationOutput::open(arguments);
   if (!output) return report_error(output.error());
-
   Progress progress("associating", common.quiet);
-  nlohmann::json rows = nlohmann::json::array();
-  Totals totals;
   for (const BearingScan& scan : *scans) {
     if (interrupted) break;
-    const auto start = std::chrono::steady_clock::now();
-    const auto found = triangulate::associate_scan(scan, *scene, *options, common.threads);
-    if (!found) return report_error(found.error());
-    const double seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    note_oddities(scan, *found, *options, diagnostics);
-    if (auto wrote = output->write(scan, *found, *scene); !wrote) {
-      return report_error(wrote.error());
+    auto done = take_scan(scan, *scene, arguments, *options, common.threads, *output, run);
+    if (!done) {
+      if (auto kept = output->finish(); !kept) return report_error(kept.error());
+      return report_error(done.error());
     }
-    if (arguments.json) rows.push_back(as_json(scan, *found, seconds));
-    totals.bearings += scan.bearings.size();
-    totals.targets += found->fixes.size();
-    for (const auto target : found->target_of_bearing) totals.clutter += target < 0 ? 1 : 0;
-    totals.proved += found->solution.proved ? 1 : 0;
-    totals.worst_gap = std::max(totals.worst_gap, found->solution.gap());
-    progress.update(++totals.scans, std::ssize(*scans));
+    progress.update(run.totals.scans, std::ssize(*scans));
   }
   if (auto done = output->finish(); !done) return report_error(done.error());
-  if (arguments.json) {
-    fmt::print("{}\n", nlohmann::json{{"scans", rows}}.dump(2));
-  } else {
-    print_totals(totals, arguments);
+  if (run.report) {
+    auto wrote = write_page(arguments.report, run.report->page(arguments.bearings));
+    if (!wrote) return report_error(wrote.error());
   }
-  const int code = report_diagnostics(diagnostics, common.quiet);
+  if (arguments.json) {
+    fmt::print("{}\n", nlohmann::json{{"scans", run.rows}}.dump(2));
+  } else {
+    print_totals(run.totals, arguments);
+  }
+  const int code = report_diagnostics(run.diagnostics, common.quiet);
   return interrupted ? kInterrupted : code;
 }
 
@@ -236,6 +331,12 @@ void add_associate(Tool& tool) {
                   "Of a scan; then the best so far is given with its gap")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
+  app->add_option("--best", arguments->best, "Tell the M best associations of each scan")
+      ->check(CLI::Range(1, 1000));
+  auto* report = app->add_option("--report", arguments->report, "A page to look at: .html");
+  app->add_option("--truth", arguments->truth,
+                  "Where targets really were, for the report: frame,time_s,object_id,class,x_m,...")
+      ->needs(report);
   app->add_option("--set", arguments->sets, "Change a setting: section.name=value")
       ->allow_extra_args(false);
   app->add_flag("--json", arguments->json, "One JSON object on stdout");

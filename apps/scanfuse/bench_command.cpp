@@ -4,6 +4,7 @@
 #include "bench_rows.hpp"
 #include "command.hpp"
 #include "scanfuse/core/options.hpp"
+#include "scanfuse/io/atomic_file.hpp"
 
 namespace scanfuse::app {
 namespace {
@@ -16,8 +17,21 @@ struct BenchRequest {
   std::string preset = "vehicle-pag";
   std::vector<std::string> changes;
   RealData real;
+  std::string report;  ///< passive: measure curves and draw them here
   bool json = false;
 };
+
+/// The table of `bench passive`, or with --report its curves.
+Result<std::vector<BenchRow>> run_bench_passive(const BenchRequest& request,
+                                                const SeedRange& seeds) {
+  if (request.report.empty()) return bench_passive(seeds, request.threads);
+  auto file = io::AtomicFile::create(request.report);
+  if (!file) return tl::unexpected(file.error());
+  PassiveCurves curves = bench_passive_curves(seeds, request.threads);
+  if (auto wrote = file->write(curves.page); !wrote) return tl::unexpected(wrote.error());
+  if (auto done = file->commit(); !done) return tl::unexpected(done.error());
+  return std::move(curves.rows);
+}
 
 /// Random scenes that constants were chosen or classes learned on; `last` 0: none.
 struct TunedSeeds {
@@ -62,9 +76,7 @@ const std::vector<Benchmark>& benchmarks() {
       {"passive",
        "bearings joined into targets: costs, misses and clutter, positions, cameras, the solver",
        SeedRange{1, 2000}, TunedSeeds{},
-       [](Request request, const SeedRange& seeds) -> Result<std::vector<BenchRow>> {
-         return bench_passive(seeds, request.threads);
-       }},
+       [](Request request, const SeedRange& seeds) { return run_bench_passive(request, seeds); }},
       {"real", "recordings of real scenes against motion capture and labels, where --data has them",
        SeedRange{}, TunedSeeds{},
        [](Request request, const SeedRange&) { return bench_real(request.real, request.threads); }},
@@ -155,6 +167,9 @@ int run_bench(const BenchRequest& request) {
   for (const auto& bench : benchmarks()) {
     names.push_back(bench.name);
     if (bench.name != request.name) continue;
+    if (!request.report.empty() && bench.name != "passive") {
+      return report_error({Error::Code::kUnsupported, "--report is of `bench passive` only"});
+    }
     const SeedRange seeds = seeds_of(request, bench.seeds);
     auto rows = bench.run(request, seeds);
     if (!rows) return report_error(rows.error());
@@ -191,6 +206,8 @@ void add_bench(Tool& tool) {
       ->envname("SCANFUSE_DATA");
   app->add_option("--full-scans", request->real.full_scans,
                   "real: the road sequence's .bin files, if not in road/kitti_seq0000/velodyne");
+  app->add_option("--report", request->report,
+                  "passive: measure its curves in place of its table, and draw them: .html");
   app->add_flag("--json", request->json, "One JSON object on stdout");
   app->footer(
       "--seed sets the first seed. Each benchmark's own seeds are none that served for tuning.\n"

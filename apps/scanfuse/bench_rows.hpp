@@ -91,6 +91,14 @@ struct SeedRange {
 /// chosen on any of its seeds.
 [[nodiscard]] std::vector<BenchRow> bench_passive(const SeedRange& seeds, int threads);
 
+/// Curves of the same: rates against the distance between targets, time and hypotheses against
+/// their number and that of the sensors, false matches against the ambiguity law.
+struct PassiveCurves {
+  std::vector<BenchRow> rows;
+  std::string page;  ///< HTML
+};
+[[nodiscard]] PassiveCurves bench_passive_curves(const SeedRange& seeds, int threads);
+
 /// Where the recordings of `bench real` lie.
 struct RealData {
   std::string folder;      ///< with datmo/ and road/kitti_seq0000/; empty: none given

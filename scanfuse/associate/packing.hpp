@@ -70,6 +70,12 @@ struct PackingComponent {
   std::int32_t proof = -1;            ///< the step that proves `dual`
 };
 
+/// How far primal and dual had come.
+struct PackingRound {
+  double primal = 0;
+  double dual = 0;
+};
+
 /// How the answer came about.
 struct PackingDiagnostics {
   std::int64_t sweeps = 0;        ///< over all rows, of price updates
@@ -78,6 +84,9 @@ struct PackingDiagnostics {
   std::int64_t largest_core = 0;  ///< columns of the largest part that had to be branched on
   bool out_of_time = false;
   bool out_of_nodes = false;  ///< branches, or numbers in the proof (40 million a part)
+  /// Sums over the components, each after its k-th round of prices and packings (before it was cut
+  /// into parts) or as it ended; none by greedy choice.
+  std::vector<PackingRound> rounds;
 };
 
 struct PackingSolution {

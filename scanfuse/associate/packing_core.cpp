@@ -134,6 +134,17 @@ void merge_diagnostics(PackingDiagnostics& sum, const PackingDiagnostics& part) 
   sum.out_of_nodes = sum.out_of_nodes || part.out_of_nodes;
 }
 
+void add_rounds(PackingDiagnostics& sum, std::vector<PackingRound> rounds) {
+  if (rounds.empty()) return;
+  const auto count = std::max(sum.rounds.size(), rounds.size());
+  sum.rounds.resize(count, sum.rounds.empty() ? PackingRound{} : sum.rounds.back());
+  rounds.resize(count, rounds.back());
+  for (std::size_t k = 0; k < count; ++k) {
+    sum.rounds[k].primal += rounds[k].primal;
+    sum.rounds[k].dual += rounds[k].dual;
+  }
+}
+
 void finish_solution(PackingSolution& solution) {
   std::ranges::sort(solution.chosen);
   solution.primal = solution.dual = 0;

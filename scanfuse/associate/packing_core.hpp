@@ -57,7 +57,10 @@ struct CorePacking {
   double weight = 0;
 };
 
+/// All but the rounds: those of a part are no rounds of the whole.
 void merge_diagnostics(PackingDiagnostics& sum, const PackingDiagnostics& part);
+/// A component's rounds into the sums over components; who has fewer stays at the last.
+void add_rounds(PackingDiagnostics& sum, std::vector<PackingRound> rounds);
 
 /// Components of a whole solution from those of its parts: rows, columns, primal and dual are
 /// given; sums, `proved` and the order of `chosen` are made here.

@@ -22,6 +22,7 @@ class Relaxation {
     for (int k = 0; k < options_.iterations && !closed(); ++k) {
       ++iterations_;
       const bool better = iterate(length);
+      rounds_.push_back({best_.weight, dual_});
       since_better = better ? 0 : since_better + 1;
       if (since_better < kPatience) continue;
       since_better = 0;
@@ -31,6 +32,7 @@ class Relaxation {
 
   [[nodiscard]] const CorePacking& best() const { return best_; }
   [[nodiscard]] int iterations() const { return iterations_; }
+  [[nodiscard]] const std::vector<PackingRound>& rounds() const { return rounds_; }
 
   /// Feasible prices of all rows: the best multipliers and those of their 2-D assignment.
   [[nodiscard]] std::vector<double> prices() const {
@@ -109,6 +111,7 @@ class Relaxation {
   double dual_ = 0;
   CorePacking best_;
   int iterations_ = 0;
+  std::vector<PackingRound> rounds_;
 };
 
 void append_relaxation(PackingSolution& solution, const PackingCore& core, const Packing& packing,
@@ -126,6 +129,9 @@ void append_relaxation(PackingSolution& solution, const PackingCore& core, const
   solution.proof.push_back(std::move(step));
   solution.components.push_back(std::move(component));
   solution.diagnostics.sweeps += relaxation.iterations();
+  auto rounds = relaxation.rounds();
+  rounds.push_back({relaxation.best().weight, std::max(relaxation.best().weight, dual)});
+  add_rounds(solution.diagnostics, std::move(rounds));
   for (const auto j : relaxation.best().chosen) {
     solution.chosen.push_back(core.columns[static_cast<std::size_t>(j)]);
   }

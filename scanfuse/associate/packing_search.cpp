@@ -56,6 +56,8 @@ class Search {
     double temperature = part.temperature;
     if (temperature == 0) temperature = first_temperature(part.core, bracket.best);
     const double last = kLastTemperature * first_temperature(part.core, bracket.best);
+    const bool whole = diagnostics_.rounds.empty();
+    note_round(bracket, whole);
     SoftPrices soft(part.core, bracket.prices);
     while (!bracket.closed() && !out_of_time()) {
       const double gap = bracket.gap();
@@ -63,6 +65,7 @@ class Search {
       const bool settled = linear ? solve_by_simplex(part.core, bracket)
                                   : anneal(part.core, bracket, soft, temperature);
       bracket = with_packings(part.core, std::move(bracket));
+      note_round(bracket, whole);
       if (bracket.closed()) break;
       const auto kept = worth_keeping(part.core, bracket);
       const auto count = static_cast<double>(std::ranges::count(kept, 1));
@@ -85,6 +88,10 @@ class Search {
       diagnostics_.out_of_time = std::chrono::steady_clock::now() >= limits_.deadline;
     }
     return diagnostics_.out_of_time;
+  }
+
+  void note_round(const Bracket& bracket, bool whole) {
+    if (whole) diagnostics_.rounds.push_back({bracket.best.weight, bracket.dual});
   }
 
   static double first_temperature(const PackingCore& core, const CorePacking& best) {

@@ -31,6 +31,9 @@ void append_outcome(PackingSolution& solution, const PackingCore& core, SearchOu
   solution.components.push_back(std::move(component));
   solution.chosen.insert(solution.chosen.end(), outcome.chosen.begin(), outcome.chosen.end());
   merge_diagnostics(solution.diagnostics, outcome.diagnostics);
+  auto rounds = std::move(outcome.diagnostics.rounds);
+  rounds.push_back({outcome.primal, std::max(outcome.primal, outcome.bound)});
+  add_rounds(solution.diagnostics, std::move(rounds));
 }
 
 SearchPart part_of_core(const PackingCore& core) {

@@ -59,6 +59,9 @@ class ChartCanvas {
       x_.widen();
       y_.widen();
     }
+    int rows = 1;
+    place_legend([&](std::size_t, double, int row) { rows = row + 1; });
+    top_ = kTop + kLegendRow * (rows - 1);
   }
 
   std::string draw() {
@@ -80,6 +83,7 @@ class ChartCanvas {
 
  private:
   static constexpr int kLeft = 56, kRight = 12, kTop = 40, kBottom = 36;
+  static constexpr int kLegendRow = 14;
 
   template <class... Args>
   void put(fmt::format_string<Args...> format, Args&&... args) {
@@ -90,7 +94,7 @@ class ChartCanvas {
   }
   [[nodiscard]] double py(double y) const {
     return chart_.height_px - kBottom -
-           (y - y_.low) / (y_.high - y_.low) * (chart_.height_px - kTop - kBottom);
+           (y - y_.low) / (y_.high - y_.low) * (chart_.height_px - top_ - kBottom);
   }
   static std::string colour(std::size_t k) {
     return fmt::format("var(--s{},{})", k % kPalette.size(), kPalette[k % kPalette.size()]);
@@ -101,20 +105,20 @@ class ChartCanvas {
     for (const double x : round_ticks(x_, 8)) {
       put(R"svg(<path d="M{0:.1f} {1}V{2}" stroke="var(--line,#ddd)"/><text x="{0:.1f}" y="{3}" )svg"
           R"svg(text-anchor="middle" fill="var(--muted,#666)">{4:g}</text>)svg",
-          px(x), kTop, bottom, bottom + 14, x);
+          px(x), top_, bottom, bottom + 14, x);
     }
     for (const double y : round_ticks(y_, 5)) {
       put(R"svg(<path d="M{0} {1:.1f}H{2}" stroke="var(--line,#ddd)"/><text x="{3}" y="{4:.1f}" )svg"
           R"svg(text-anchor="end" fill="var(--muted,#666)">{5:.6g}</text>)svg",
           kLeft, py(y), right, kLeft - 5, py(y) + 4, std::abs(y) < 1e-12 ? 0.0 : y);
     }
-    put(R"svg(<path d="M{0} {1}V{2}H{3}" fill="none" stroke="var(--muted,#666)"/>)svg", kLeft, kTop,
+    put(R"svg(<path d="M{0} {1}V{2}H{3}" fill="none" stroke="var(--muted,#666)"/>)svg", kLeft, top_,
         bottom, right);
     put(R"svg(<text x="{}" y="{}" text-anchor="middle" fill="var(--muted,#666)">{}</text>)svg",
         (kLeft + right) / 2, chart_.height_px - 6, escape_html(chart_.x_label));
     put(R"svg(<text transform="translate(12 {}) rotate(-90)" text-anchor="middle" )svg"
         R"svg(fill="var(--muted,#666)">{}</text>)svg",
-        (kTop + bottom) / 2, escape_html(chart_.y_label));
+        (top_ + bottom) / 2, escape_html(chart_.y_label));
   }
 
   void curve(const Series& series, std::size_t k) {
@@ -152,21 +156,36 @@ class ChartCanvas {
     put(R"svg(<path d="{}" fill="{}"/>)svg", path, colour(k));
   }
 
-  void legend() {
+  /// Tells `place` the number, x and row of each entry; a row ends at the right margin.
+  template <class Place>
+  void place_legend(Place&& place) const {
     double x = kLeft;
+    int row = 0;
     for (std::size_t k = 0; k < chart_.series.size(); ++k) {
-      const auto& series = chart_.series[k];
-      if (series.points.empty()) continue;
-      put(R"svg(<rect x="{:.1f}" y="23" width="12" height="4" rx="2" fill="{}"/>)svg"
-          R"svg(<text x="{:.1f}" y="29" fill="var(--muted,#666)">{}</text>)svg",
-          x, colour(k), x + 16, escape_html(series.name));
-      x += 34 + 6.2 * static_cast<double>(series.name.size());
+      if (chart_.series[k].points.empty()) continue;
+      const double width = 34 + 6.2 * static_cast<double>(chart_.series[k].name.size());
+      if (x > kLeft && x + width - 18 > chart_.width_px) {
+        x = kLeft;
+        ++row;
+      }
+      place(k, x, row);
+      x += width;
     }
+  }
+
+  void legend() {
+    place_legend([&](std::size_t k, double x, int row) {
+      put(R"svg(<rect x="{:.1f}" y="{}" width="12" height="4" rx="2" fill="{}"/>)svg"
+          R"svg(<text x="{:.1f}" y="{}" fill="var(--muted,#666)">{}</text>)svg",
+          x, 23 + kLegendRow * row, colour(k), x + 16, 29 + kLegendRow * row,
+          escape_html(chart_.series[k].name));
+    });
   }
 
   const Chart& chart_;
   Extent x_, y_;
   bool empty_ = false;
+  int top_ = kTop;
   std::string text_;
 };
 

@@ -56,13 +56,28 @@ Result<std::vector<Eigen::Vector3d>> places(const PassiveOptions& options, Rando
   return found;
 }
 
+/// Wide enough for a line or a grid of targets too.
+PassiveScene::Volume volume_of(const PassiveOptions& options) {
+  if (options.sensor_layout == SensorLayout::kCameras) return kCube;
+  PassiveScene::Volume volume = kWide;
+  if (options.target_layout == TargetLayout::kLine) {
+    volume[0][1] = std::max(volume[0][1], 20e3 + options.targets * options.spacing_m);
+  } else if (options.target_layout == TargetLayout::kGrid) {
+    const double half_m = std::ceil(std::sqrt(options.targets)) * options.spacing_m / 2;
+    for (std::size_t k = 0; k < 2; ++k) {
+      volume[k] = {std::min(volume[k][0], 20e3 - half_m), std::max(volume[k][1], 20e3 + half_m)};
+    }
+  }
+  return volume;
+}
+
 Result<PassiveScene> make_scene(const PassiveOptions& options, RandomStream& random) {
   const auto positions = places(options, random);
   if (!positions) return tl::unexpected(positions.error());
   const bool cameras = options.sensor_layout == SensorLayout::kCameras;
   PassiveScene scene;
-  scene.volume_m = cameras ? kCube : kWide;
-  scene.expected_targets = options.targets;
+  scene.volume_m = volume_of(options);
+  if (options.targets > 0) scene.expected_targets = options.targets;
   double noise = options.noise_rad;
   for (const Eigen::Vector3d& p : *positions) {
     PassiveSensor sensor;

@@ -32,7 +32,7 @@ constexpr auto choices(SensorLayout) {
 /// 0.1 m at 0.5 m, looking at it. Targets `line`: (20, 20, 8) km + k (spacing, 0, 0); `grid`: a
 /// square grid around that point in x and y; `random`: uniform in the volume of 40 x 40 x 11 km
 /// (cameras: in the cube); `cluster`: one anywhere there, each next one spacing_m from the last, in
-/// a level random direction.
+/// a level random direction. The scene's volume grows with a line or grid that would leave it.
 struct PassiveOptions {
   int targets = 20;
   double spacing_m = 1000;

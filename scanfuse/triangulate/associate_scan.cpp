@@ -96,9 +96,11 @@ Result<ScanAssociation> associate_scan(const BearingScan& scan, const PassiveSce
       find_candidates(scan, scene, result.prior.prior, cost, options.candidates, threads);
   if (candidates.too_many) {
     return fail(Error::Code::kOutOfRange,
-                "scan {}: more than {} ways to join {} bearings even with a narrow gate: the "
-                "sensors are too coarse for so many targets; raise associate.most_candidates",
-                scan.scan, options.candidates.most_candidates, scan.bearings.size());
+                "scan {}: too many ways to join {} bearings, even with a narrow gate (more than {} "
+                "pairs or {} hypotheses): the sensors are too coarse for so many bearings; raise "
+                "candidates.most_pairs or candidates.most_candidates",
+                scan.scan, scan.bearings.size(), options.candidates.most_pairs,
+                options.candidates.most_candidates);
   }
   result.pairs_tried = candidates.tried;
   result.gate_probability = candidates.gate_probability;

@@ -50,6 +50,8 @@ struct Search {
   double sigmas = 0;  ///< of a pair's miss
   std::int64_t most = 0;
   std::atomic<std::int64_t> found{0};
+
+  [[nodiscard]] bool too_many() const { return found.load(std::memory_order_relaxed) > most; }
 };
 
 double weight_of(const Search& search, const Hypothesis& h) {
@@ -93,7 +95,7 @@ class Grower {
 
   /// Locates what lines_ holds, keeps it, and grows it by the sensors from `next` on.
   void take(const Eigen::Vector3d& start_m, std::size_t next) {
-    if (search_.found.load(std::memory_order_relaxed) > search_.most) return;
+    if (search_.too_many()) return;
     const auto at = most_likely(lines_, start_m, search_.prior.height());
     if (!at || at->chi2 > search_.gate.of(degrees_of_freedom())) return;
     const double weight = weight_of(search_, {lines_, *at});
@@ -179,6 +181,28 @@ std::vector<SensorLines> by_sensor(const BearingScan& scan, const PassiveScene& 
   return sensors;
 }
 
+/// Whether the indices hold out more pairs than `most`. Nothing is counted where there cannot be.
+bool too_many_pairs(const Search& search, std::int64_t most) {
+  const auto& sensors = search.sensors;
+  std::int64_t possible = 0;
+  for (std::size_t a = 0; a < sensors.size(); ++a) {
+    for (std::size_t b = a + 1; b < sensors.size(); ++b) {
+      possible += std::ssize(sensors[a].lines) * std::ssize(sensors[b].lines);
+    }
+  }
+  if (possible <= most) return false;
+  std::int64_t pairs = 0;
+  for (std::size_t a = 0; a < sensors.size(); ++a) {
+    for (const LineOfSight& line : sensors[a].lines) {
+      for (const EpipolarIndex& index : search.pairs[a]) {
+        index.for_partners(line, search.sigmas, [&](std::int32_t) { ++pairs; });
+      }
+      if (pairs > most) return true;
+    }
+  }
+  return false;
+}
+
 /// All hypotheses at one gate; more than search.most: how many they are is all that can be used.
 Candidates grow_all(Search& search, int threads) {
   constexpr std::size_t kChunk = 32;
@@ -190,7 +214,7 @@ Candidates grow_all(Search& search, int threads) {
   parallel_for(parts.size(), threads, [&](std::size_t part) {
     Grower grower(search, parts[part]);
     const std::size_t end = std::min(firsts.size(), (part + 1) * kChunk);
-    for (std::size_t k = part * kChunk; k < end; ++k) {
+    for (std::size_t k = part * kChunk; k < end && !search.too_many(); ++k) {
       grower.grow_from(firsts[k].first, firsts[k].second);
     }
   });
@@ -270,9 +294,10 @@ Candidates find_candidates(const BearingScan& scan, const PassiveScene& scene,
         pairs.emplace_back(search.sensors[a].origin_m, search.sensors[b].lines);
       }
     }
-    all = grow_all(search, threads);
+    all.too_many = too_many_pairs(search, options.most_pairs);
+    if (!all.too_many) all = grow_all(search, threads);
     all.gate_probability = probability;
-    all.too_many = search.found > search.most;
+    all.too_many = all.too_many || search.too_many();
     if (!all.too_many) break;
   }
   Candidates kept = all.too_many ? Candidates{} : without_dominated(all);

@@ -13,6 +13,7 @@ namespace scanfuse::triangulate {
 struct CandidateOptions {
   double gate_probability = 0.9999;
   int most_candidates = 5000000;
+  int most_pairs = 20000000;
 
   static constexpr auto fields() {
     using O = CandidateOptions;
@@ -20,7 +21,10 @@ struct CandidateOptions {
         Field{"gate_probability", &O::gate_probability, 0.5, 0.99999999,
               "bearings of one target agree this well, by chi-square, with this probability"},
         Field{"most_candidates", &O::most_candidates, 1000, 100000000,
-              "hypotheses kept in a scan; where there are more the gate is narrowed"}};
+              "hypotheses kept in a scan; where there are more the gate is narrowed"},
+        Field{"most_pairs", &O::most_pairs, 1000, 2000000000,
+              "lines of two sensors looked at in a scan; where there are more the gate is "
+              "narrowed"}};
   }
 };
 

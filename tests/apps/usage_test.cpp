@@ -10,8 +10,8 @@ namespace {
 using ::testing::AnyOf;
 using ::testing::HasSubstr;
 
-const char* const kCommands[] = {"info",     "convert", "track", "simulate",
-                                 "evaluate", "bench",   "config"};
+const char* const kCommands[] = {"info",     "convert", "track",  "simulate",
+                                 "evaluate", "bench",   "config", "associate"};
 
 TEST(EveryCommand, HasHelpWithAnExample) {
   const TemporaryFolder folder;
@@ -43,7 +43,8 @@ TEST(EveryCommand, IsNamedWhenAnotherIsMisspelt) {
 
 TEST(EveryCommand, SaysWhichArgumentIsMissing) {
   const TemporaryFolder folder;
-  for (const std::string command : {"info", "convert", "track", "simulate", "evaluate"}) {
+  for (const std::string command :
+       {"info", "convert", "track", "simulate", "evaluate", "associate"}) {
     const auto outcome = run_tool(folder, command);
     EXPECT_EQ(outcome.code, 2) << command;
     EXPECT_THAT(outcome.err, HasSubstr("required")) << command;

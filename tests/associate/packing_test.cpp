@@ -50,6 +50,31 @@ TEST(PriceAndBranch, FindsWhatTryingAllPackingsFinds) {
   }
 }
 
+/// Primal never falls, dual never rises, and the last round is the answer.
+void expect_convergence(const PackingSolution& solution) {
+  const auto& rounds = solution.diagnostics.rounds;
+  const double tolerance = 1e-6 * std::max(1.0, solution.dual);
+  ASSERT_FALSE(rounds.empty());
+  for (std::size_t k = 1; k < rounds.size(); ++k) {
+    EXPECT_GE(rounds[k].primal, rounds[k - 1].primal - tolerance);
+    EXPECT_LE(rounds[k].dual, rounds[k - 1].dual + tolerance);
+  }
+  for (const auto& round : rounds) EXPECT_GE(round.dual, round.primal - tolerance);
+  EXPECT_NEAR(rounds.back().primal, solution.primal, tolerance);
+  EXPECT_NEAR(rounds.back().dual, solution.dual, tolerance);
+}
+
+TEST(PackingRounds, BringPrimalAndDualTogether) {
+  auto packings = many(7, 4, 60);
+  packings.push_back(hard_scene(40, 5));
+  for (const auto& packing : packings) {
+    expect_convergence(solved(packing));
+    const auto relaxed = LagrangianPacking{}(packing);
+    ASSERT_TRUE(relaxed);
+    expect_convergence(*relaxed);
+  }
+}
+
 TEST(PriceAndBranch, TakesNothingWhereThereIsNothing) {
   const auto solution = solved(Packing{});
   EXPECT_THAT(solution.chosen, IsEmpty());

@@ -135,6 +135,25 @@ TEST(Candidates, NarrowTheGateBeforeTheyGiveUp) {
   }
 }
 
+TEST(Candidates, NarrowTheGateWhereThereAreTooManyPairs) {
+  const auto recording = crowd(200, 8);
+  const auto prior = scene_prior(recording.scene, recording.scans[0]).prior;
+  const auto find = [&](int most_pairs) {
+    CandidateOptions options;
+    options.most_pairs = most_pairs;
+    return find_candidates(recording.scans[0], recording.scene, prior, EvidenceCost{}, options);
+  };
+  const auto all = find(20000000);
+  ASSERT_FALSE(all.too_many);
+  const auto fewer = find(static_cast<int>(all.tried) - 1);
+  EXPECT_LT(fewer.gate_probability, all.gate_probability);
+  EXPECT_FALSE(fewer.too_many);
+  EXPECT_LT(fewer.tried, all.tried);
+  const auto none = find(1000);
+  EXPECT_TRUE(none.too_many);
+  EXPECT_EQ(none.size(), 0U);
+}
+
 // Two sensors at one place cannot locate, but each adds to what the third locates.
 TEST(Candidates, SensorsAtOnePlaceShareATarget) {
   PassiveScene scene = testing::scene_of_three({0, 0, 0}, 0.001);

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "bench_rows.hpp"
+#include "scanfuse/evaluate/association_score.hpp"
+#include "scanfuse/simulate/passive.hpp"
+#include "scanfuse/triangulate/associate_scan.hpp"
+
+namespace scanfuse::app {
+
+/// What many scenes of one kind give.
+struct PassiveOutcome {
+  evaluate::AssociationScore score;
+  std::int64_t unproved = 0;
+  double worst_gap = 0;
+  std::vector<double> seconds, solver_seconds, columns;  ///< of each scene
+  std::int64_t sure = 0, sure_and_right = 0;             ///< bearings told with 0.9 or more
+};
+
+/// The first scan of each seed's scene, associated.
+[[nodiscard]] PassiveOutcome run_passive(const simulate::PassiveOptions& options,
+                                         const SeedRange& seeds, int threads,
+                                         triangulate::CostMethod cost, bool posterior = false);
+
+/// Share of targets whose bearings all go to them when their places are known: no cost does better.
+[[nodiscard]] double passive_oracle_rate(const simulate::PassiveOptions& options,
+                                         const SeedRange& seeds);
+
+/// 20 targets and three sensors anywhere in 40 x 40 x 11 km, 5 false alarms a sensor.
+[[nodiscard]] simulate::PassiveOptions passive_crowd(double detection_probability,
+                                                     double noise_rad);
+
+[[nodiscard]] double median_of(std::vector<double> values);
+
+}  // namespace scanfuse::app
