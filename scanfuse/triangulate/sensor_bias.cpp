@@ -3,8 +3,47 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace scanfuse::triangulate {
+namespace {
+
+/// What a sensor tells of a point, in the plane that touches the sphere at the point. Not where the
+/// bearing points, as `sight` has it: the weights would depend on the noise, and so lean.
+struct Told {
+  Eigen::Vector2d off_rad;  ///< told less true
+  Eigen::Vector2d sigma_rad;
+  Eigen::Vector2d by_bias;  ///< off by radian of azimuth, of elevation
+  Eigen::Matrix<double, 2, 3> by_point;
+};
+
+std::optional<Told> told(const LineOfSight& line, const Eigen::Vector3d& point_m) {
+  if (!sight(line, point_m)) return std::nullopt;
+  const double ce = std::cos(line.elevation_rad), se = std::sin(line.elevation_rad);
+  const Eigen::Vector3d zenith = ce * line.up + se * line.direction;
+  const Eigen::Vector3d level = ce * line.direction - se * line.up;
+  const Eigen::Vector3d d = point_m - line.origin_m;
+  const double turn = std::atan2(line.left.dot(d), level.dot(d));
+  const Eigen::Vector3d left = std::cos(turn) * line.left - std::sin(turn) * level;
+  const Eigen::Vector3d ahead = std::cos(turn) * level + std::sin(turn) * line.left;
+  const double flat = ahead.dot(d), range = d.norm();
+  const double elevation = std::atan2(zenith.dot(d), flat);
+  if (!line.tells_elevation()) {
+    Told azimuth{{-turn, 0}, {line.sigma_azimuth_rad, 1}, {1, 0}, {}};
+    azimuth.by_point << left.transpose() / flat, Eigen::RowVector3d::Zero();
+    return azimuth;
+  }
+  const double shrink = std::max(flat / range, std::min(line.sigma_up_rad, 1.0));
+  Told both{{-turn * shrink, line.elevation_rad - elevation},
+            {line.sigma_azimuth_rad * shrink, line.sigma_up_rad},
+            {shrink, 1},
+            {}};
+  both.by_point << left.transpose() / range,
+      (std::cos(elevation) * zenith - std::sin(elevation) * ahead).transpose() / range;
+  return both;
+}
+
+}  // namespace
 
 BiasFilter::BiasFilter(std::span<const PassiveSensor> sensors, double sigma_rad) {
   const auto n = 2 * static_cast<Eigen::Index>(sensors.size());
@@ -22,14 +61,13 @@ void BiasFilter::learn(std::span<const LineOfSight> lines, const Eigen::Vector3d
   std::vector<Eigen::Index> place(static_cast<std::size_t>(n));
   int row = 0;
   for (const LineOfSight& line : lines) {
-    const auto seen = sight(line, position_m);
+    const auto seen = told(line, position_m);
     if (!seen) return;
     for (int k = 0; k < line.dimensions(); ++k, ++row) {
-      const double sigma = k == 0 ? line.sigma_left_rad : line.sigma_up_rad;
-      weight(row) = 1 / (sigma * sigma);
-      J.row(row) = seen->jacobian_rad_per_m.row(k);
-      r(row) = -seen->offset_rad(k);
-      slope(row) = k == 0 && line.tells_elevation() ? std::cos(line.elevation_rad) : 1;
+      weight(row) = 1 / (seen->sigma_rad(k) * seen->sigma_rad(k));
+      J.row(row) = seen->by_point.row(k);
+      r(row) = seen->off_rad(k);
+      slope(row) = seen->by_bias(k);
       place[static_cast<std::size_t>(row)] = 2 * line.sensor + k;
     }
   }
