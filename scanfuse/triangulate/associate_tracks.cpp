@@ -120,14 +120,18 @@ Result<TrackChoice> jointly(const BearingScan& scan, std::span<const LineOfSight
   return choice;
 }
 
-/// ln(1 - PD) of the sensors that looked at the place.
-double log_missed(const Eigen::Vector3d& place_m, const PassiveScene& scene,
-                  const ScenePrior& prior) {
-  double sum = 0;
+/// ln of the chance that a target there has no fix: fewer than two of the sensors that looked saw
+/// it.
+double log_without_fix(const Eigen::Vector3d& place_m, const PassiveScene& scene,
+                       const ScenePrior& prior) {
+  double none = 1, one = 0;
   for (std::size_t s = 0; s < scene.sensors.size(); ++s) {
-    if (in_field_of_view(scene.sensors[s], place_m)) sum += prior.sensors[s].log_missed;
+    const double missed = std::exp(prior.sensors[s].log_missed);  // 1 where it did not look
+    if (!in_field_of_view(scene.sensors[s], place_m)) continue;
+    one = one * missed + none * (1 - missed);
+    none *= missed;
   }
-  return sum;
+  return std::log(std::min(none + one, 1.0));
 }
 
 /// A fix as a track's: its evidence with the place that the track predicts for the even intensity.
@@ -158,7 +162,7 @@ Result<TrackChoice> fixes_first(const BearingScan& scan, std::span<const Passive
   std::vector<double> ratios;
   for (std::size_t t = 0; t < tracks.size(); ++t) {
     const Gaussian<3> place = place_of(tracks[t].state);
-    choice.log_ratio.push_back(log_missed(place.mean, scene, prior));
+    choice.log_ratio.push_back(log_without_fix(place.mean, scene, prior));
     packing.set_of_row.push_back(1);
     for (std::size_t f = 0; f < found->fixes.size(); ++f) {
       const auto ratio = log_ratio(found->fixes[f], place, even, gate);
