@@ -152,6 +152,7 @@ Result<TrackChoice> fixes_first(const BearingScan& scan, std::span<const Passive
   association.posterior = false;
   const auto found = associate_scan(scan, scene, association, threads);
   if (!found) return tl::unexpected(found.error());
+  // A scene of no targets has fixes of no weight: then there are none.
   const double even = found->prior.prior.log_intensity, fresh = prior.log_intensity - even;
   const double gate = estimate::chi_square_quantile(options.gate_probability, 3);
   TrackChoice choice;

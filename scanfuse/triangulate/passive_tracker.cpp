@@ -84,20 +84,21 @@ ScenePrior PassiveTracker::prior_of(const BearingScan& scan) {
   ScenePrior& prior = found.prior;
   const double size = size_of(prior.volume_m);
   const double targets = std::exp(prior.log_intensity) * size;
-  if (std::ranges::count(looks, true) > 1) {
+  const bool telling = std::ranges::count(looks, true) > 1;
+  if (!unseen_targets_ && (telling || !found.targets_estimated)) unseen_targets_ = targets;
+  if (telling) {
     const std::string where = fmt::format("scan {}", scan.scan);
     if (found.volume_estimated) diagnostics_.note("volume_m not given, estimated", where);
     if (found.targets_estimated) diagnostics_.note("expected_targets not given, estimated", where);
     scene_.volume_m = prior.volume_m;
     scene_.expected_targets = targets;
   }
-  if (!unseen_targets_) unseen_targets_ = targets;
   constexpr double kFewest = 1e-9;
-  prior.log_intensity = std::log(std::max(*unseen_targets_, kFewest) / size);
+  prior.log_intensity = std::log(std::max(unseen_targets_.value_or(targets), kFewest) / size);
   for (std::size_t s = 0; s < looks.size(); ++s) {
     if (!looks[s]) prior.sensors[s].log_missed = 0;
   }
-  unseen_targets_ = *unseen_targets_ * (1 - chance_of_start(scene_, looks));
+  if (unseen_targets_) *unseen_targets_ *= 1 - chance_of_start(scene_, looks);
   return found.prior;
 }
 

@@ -129,6 +129,65 @@ TEST_P(EveryUpdate, FollowsTargetsThroughMissesAndClutter) {
   }
 }
 
+// Tracks of the last scan, of targets that fly straight on; samples of one run are of different
+// targets. The band is wide: one wrong bearing is worth many right ones.
+TEST(PassiveTracker, ErrorsAreAsLargeAsItSaysAmongMissesAndClutter) {
+  PassiveTrackOptions options;
+  options.sigma_accel = options.sigma_accel_z = 0.01;
+  double sum = 0;
+  int samples = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const auto recording = simulate::simulate_passive(busy_scene(), seed);
+    PassiveTracker tracker(recording->scene, options);
+    PassiveStep last;
+    for (const auto& scan : recording->scans) last = *tracker.step(scan);
+    for (const auto& track : confirmed(last)) {
+      for (const auto& target : recording->targets.back()) {
+        Eigen::Matrix<double, 6, 1> off = track.state.mean;
+        off.head<3>() -= target.position_m;
+        off.tail<3>() -= target.velocity_m_per_s;
+        if (off.head<3>().norm() > 500) continue;
+        sum += off.dot(track.state.covariance.ldlt().solve(off));
+        ++samples;
+      }
+    }
+  }
+  EXPECT_GE(samples, 195);
+  EXPECT_NEAR(sum / samples, 6, 1);
+}
+
+TEST(PassiveTracker, StartsAfterScansThatTellNothing) {
+  PassiveScene scene = scene_of_three();
+  for (auto& sensor : scene.sensors) sensor.clutter_density = 0.01;
+  const std::array targets{Target{{15e3, 20e3, 5e3}, {200, -100, 0}},
+                           Target{{25e3, 10e3, 5e3}, {0, 100, 0}}};
+  PassiveTracker tracker(scene, {});
+  PassiveStep last;
+  for (int k = 0; k < 20; ++k) {
+    BearingScan scan = scan_of(scene, targets, k);
+    if (k < 3) scan.bearings.clear();
+    if (k >= 3 && k < 6) keep_sensor(scan, 1);
+    last = *tracker.step(scan);
+  }
+  EXPECT_EQ(confirmed(last).size(), 2U);
+}
+
+TEST(PassiveTracker, TakesAPriorOfNoTargets) {
+  for (const auto association : {TrackAssociation::kJoint, TrackAssociation::kFixesFirst}) {
+    PassiveScene scene = quiet_scene(0);
+    const std::array targets{Target{{15e3, 20e3, 5e3}, {200, -100, 0}}};
+    PassiveTrackOptions options;
+    options.association = association;
+    PassiveTracker tracker(scene, options);
+    PassiveStep last;
+    for (int k = 0; k < 10; ++k) last = *tracker.step(scan_of(scene, targets, k));
+    for (const auto& track : last.tracks) {
+      EXPECT_TRUE(std::isfinite(track.log_odds) && track.state.mean.allFinite());
+    }
+    EXPECT_LE(last.tracks.size(), 1U);
+  }
+}
+
 TEST(PassiveTracker, KeepsIdentityWhileNothingIsSeen) {
   const PassiveScene scene = quiet_scene(1);
   const std::array targets{Target{{15e3, 20e3, 5e3}, {200, -100, 0}}};
