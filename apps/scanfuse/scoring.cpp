@@ -96,7 +96,7 @@ void add_scoring_options(CLI::App& command, ScoringRequest& request) {
   command
       .add_option("--match-m", options.match_m,
                   "A track farther than this from an object is never its match")
-      ->check(CLI::Range(1e-3, 100.0))
+      ->check(CLI::Range(1e-3, 1e6))
       ->capture_default_str();
   command
       .add_option("--similarity-m", options.similarity_m,
@@ -109,7 +109,7 @@ void add_scoring_options(CLI::App& command, ScoringRequest& request) {
       ->check(CLI::IsMember({"centre", "bev_iou"}))
       ->capture_default_str();
   command.add_option("--gospa-c-m", options.gospa_c_m, "Cut-off distance of GOSPA and OSPA")
-      ->check(CLI::Range(1e-3, 1000.0))
+      ->check(CLI::Range(1e-3, 1e6))
       ->capture_default_str();
   command
       .add_option("--min-visible-points", options.min_visible_points,

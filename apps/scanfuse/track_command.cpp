@@ -3,6 +3,7 @@
 #include "command.hpp"
 #include "scanfuse/io/tables.hpp"
 #include "track_outputs.hpp"
+#include "track_passive.hpp"
 #include "track_run.hpp"
 
 namespace scanfuse::app {
@@ -45,6 +46,11 @@ void print_summary(const TrackRequest& request, const TrackOutcome& outcome) {
 
 int run(const TrackRequest& request, const CommonOptions& common) {
   catch_interrupts();
+  if (!request.sensors.empty()) return run_track_passive(request, common);
+  if (holds_bearings(request.input)) {
+    return report_error({Error::Code::kUnsupported,
+                         request.input + ": bearings; say where the sensors are: --sensors TOML"});
+  }
   const auto outcome = io::holds_detections(request.input)
                            ? run_track_on_detections(request, common)
                            : run_track(request, common);
@@ -67,7 +73,8 @@ void add_track(Tool& tool) {
   request->scoring.options.min_visible_points = 1;
   auto* app = tool.app->add_subcommand("track", "Detect and track objects in a recording");
   app->add_option("input", request->input,
-                  "Recording (file or folder), points or detections in CSV, KITTI detections")
+                  "Recording (file or folder), points, detections or bearings in CSV, KITTI "
+                  "detections")
       ->required();
   app->add_option("-o,--output", request->outputs, "Where tracks go: .mcap, .csv or .jsonl")
       ->allow_extra_args(false);
@@ -89,6 +96,9 @@ void add_track(Tool& tool) {
   app->add_option("--mount", request->mount, "Sensor in the ego frame: X_M,Y_M,YAW_RAD")
       ->delimiter(',')
       ->expected(3);
+  app->add_option("--sensors", request->sensors,
+                  "Where the passive sensors are: a TOML file; the input is their bearings")
+      ->check(CLI::ExistingFile);
   app->add_option("--calib", request->calibration,
                   "KITTI detections: their calibration file; else looked for beside them");
   app->add_option("--frame-rate", request->frame_rate_hz,
@@ -108,7 +118,9 @@ void add_track(Tool& tool) {
       "  scanfuse track drive.mcap -o tracks.mcap --report report.html\n"
       "  scanfuse track lap.bag --ego-topic /ego_pose --mount -0.12,0,0 -o tracks.csv\n"
       "  scanfuse track detections.csv -o tracks.csv\n"
-      "  scanfuse track 0000.txt --calib calib/0000.txt --frame-rate 10 -o tracks.csv");
+      "  scanfuse track 0000.txt --calib calib/0000.txt --frame-rate 10 -o tracks.csv\n"
+      "  scanfuse track bearings.csv --sensors sensors.toml -o tracks.csv\n" +
+      passive_track_help());
   app->callback([&tool, request] { *tool.exit_code = run(*request, *tool.common); });
 }
 

@@ -29,6 +29,7 @@ struct TrackRequest {
   std::string ego_topic;
   std::string ego_file;
   std::vector<double> mount;  ///< x, y, yaw
+  std::string sensors;        ///< TOML: the input is bearings of these passive sensors
   std::string calibration;    ///< of KITTI detections, or empty
   double frame_rate_hz = 10;  ///< of KITTI detections
   TruthRequest truth;         ///< none asked for: what the recording carries

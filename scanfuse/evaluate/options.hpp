@@ -54,13 +54,13 @@ struct EvaluateOptions {
     using O = EvaluateOptions;
     return std::tuple{
         Field{"similarity", &O::similarity, "by distance of centres, or overlap from above"},
-        Field{"match_m", &O::match_m, 1e-3, 100.0,
+        Field{"match_m", &O::match_m, 1e-3, 1e6,
               "a track farther than this from an object is never its match"},
-        Field{"similarity_m", &O::similarity_m, 1e-3, 100.0,
+        Field{"similarity_m", &O::similarity_m, 1e-3, 1e6,
               "distance at which similarity reaches 0 (never less than match_m)"},
         Field{"match_similarity", &O::match_similarity, 0.0, 1.0,
               "CLEAR and identity metrics: least similarity of a match"},
-        Field{"gospa_c_m", &O::gospa_c_m, 1e-3, 1000.0, "cut-off distance of GOSPA and OSPA"},
+        Field{"gospa_c_m", &O::gospa_c_m, 1e-3, 1e6, "cut-off distance of GOSPA and OSPA"},
         Field{"gospa_p", &O::gospa_p, 1.0, 10.0, "order of GOSPA and OSPA"},
         Field{"gospa_alpha", &O::gospa_alpha, 0.01, 2.0, "GOSPA: a miss costs c^p / alpha"},
         Field{"ospa2_window_frames", &O::ospa2_window_frames, 1, 10000,
