@@ -213,8 +213,9 @@ void add_simulate(Tool& tool) {
   app->add_option("scenario", command->scenario, "Name of the scenario");
   app->add_option("-o,--output", command->out,
                   "Recording to write: .mcap, or .csv with .truth.csv and .ego.csv beside it");
-  app->add_option("--sensor", command->sensor,
-                  "Lidar: lux, sick-lms111, sick-lms291, hokuyo-utm30, rplidar-a2, vlp16, hdl32, hdl64")
+  app->add_option(
+         "--sensor", command->sensor,
+         "Lidar: lux, sick-lms111, sick-lms291, hokuyo-utm30, rplidar-a2, vlp16, hdl32, hdl64")
       ->capture_default_str();
   app->add_option("--frames", command->options.frames,
                   "Scans to make; 0: as long as the scenario is")

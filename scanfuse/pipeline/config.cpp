@@ -75,8 +75,8 @@ PerceptionOptions model_chain() {
   return options;
 }
 
-/// A vehicle seen in part must not take over a small object's track, nor the reverse. What is hidden
-/// beside a road may be anything: it is followed there for a shorter time.
+/// A vehicle seen in part must not take over a small object's track, nor the reverse. What is
+/// hidden beside a road may be anything: it is followed there for a shorter time.
 PerceptionOptions road_users_chain() {
   PerceptionOptions options;
   options.classify.keep = classify::Keep::kRoadUsers;
