@@ -33,12 +33,11 @@ struct AssociateArguments {
 
 /// "associate.alpha=0.3" or "candidates.gate_probability=0.999".
 Result<void> change(AssociationOptions& options, std::string_view text) {
-  const auto equals = text.find('='), dot = text.find('.');
-  if (equals == text.npos || dot == text.npos || dot > equals) {
+  const auto setting = split_setting(text);
+  if (!setting) {
     return fail(Error::Code::kMalformed, "--set {}: write section.option=value", text);
   }
-  const auto section = text.substr(0, dot), value = text.substr(equals + 1);
-  const auto name = text.substr(dot + 1, equals - dot - 1);
+  const auto& [section, name, value] = *setting;
   if (section == "associate") return set_option(options, name, value);
   if (section == "candidates") return set_option(options.candidates, name, value);
   return fail(Error::Code::kNotFound, "--set {}: no section '{}'; there are associate, candidates",
@@ -247,13 +246,6 @@ Result<void> refuse_replacing(const AssociateArguments& arguments) {
   return {};
 }
 
-Result<void> write_page(const std::string& path, const std::string& page) {
-  auto file = io::AtomicFile::create(path);
-  if (!file) return tl::unexpected(file.error());
-  if (auto wrote = file->write(page); !wrote) return wrote;
-  return file->commit();
-}
-
 int run_associate(const AssociateArguments& arguments, const CommonOptions& common) {
   catch_interrupts();
   const auto options = association_options(arguments);
@@ -283,7 +275,7 @@ int run_associate(const AssociateArguments& arguments, const CommonOptions& comm
   }
   if (auto done = output->finish(); !done) return report_error(done.error());
   if (run.report) {
-    auto wrote = write_page(arguments.report, run.report->page(arguments.bearings));
+    auto wrote = io::write_whole(arguments.report, run.report->page(arguments.bearings));
     if (!wrote) return report_error(wrote.error());
   }
   if (arguments.json) {
@@ -296,16 +288,9 @@ int run_associate(const AssociateArguments& arguments, const CommonOptions& comm
 }
 
 std::string associate_help() {
-  std::string text = "Settings (--set SECTION.NAME=VALUE):\n";
-  const auto add = [&](const std::vector<OptionView>& views) {
-    for (const auto& view : views) {
-      text += fmt::format("  {:<28} {} [{}; {}]\n", view.section + "." + view.name, view.doc,
-                          view.fallback, view.range);
-    }
-  };
-  add(view_options("associate", AssociationOptions{}));
-  add(view_options("candidates", triangulate::CandidateOptions{}));
-  return text +
+  return "Settings (--set SECTION.NAME=VALUE):\n" +
+         settings_help(view_options("associate", AssociationOptions{})) +
+         settings_help(view_options("candidates", triangulate::CandidateOptions{})) +
          "Example:\n  scanfuse simulate passive --targets 20 -o bearings.csv --sensors-out "
          "sensors.toml\n  scanfuse associate bearings.csv --sensors sensors.toml -o fixes.csv\n";
 }

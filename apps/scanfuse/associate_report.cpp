@@ -26,15 +26,6 @@ bool has_truth(const BearingScan& scan) {
   return std::ranges::any_of(scan.bearings, [](const Bearing& b) { return b.truth.has_value(); });
 }
 
-bool is_ghost(const BearingScan& scan, const Fix& fix) {
-  const auto origin = [&](std::int32_t place) {
-    return scan.bearings[static_cast<std::size_t>(place)].truth.value_or(-1);
-  };
-  const std::int64_t first = fix.bearings.empty() ? -1 : origin(fix.bearings.front());
-  return first < 0 ||
-         std::ranges::any_of(fix.bearings, [&](auto place) { return origin(place) != first; });
-}
-
 std::string yes(bool value) { return value ? "yes" : "no"; }
 
 /// "The first 200 of 1000." where a table was cut.
@@ -53,7 +44,7 @@ report::PassiveView view_of(const BearingScan& scan, const PassiveScene& scene,
     view.lines.push_back({lines[i].origin_m, lines[i].direction, found.target_of_bearing[i]});
   }
   if (has_truth(scan)) {
-    for (const Fix& fix : found.fixes) view.ghosts.push_back(is_ghost(scan, fix));
+    for (const Fix& fix : found.fixes) view.ghosts.push_back(!evaluate::origin_of(scan, fix));
   }
   if (const auto at = truth.find(scan.scan); at != truth.end()) view.truth_m = at->second;
   return view;

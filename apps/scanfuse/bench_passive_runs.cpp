@@ -51,13 +51,6 @@ void count_sure(const PassiveRecording& recording, const triangulate::ScanAssoci
 
 }  // namespace
 
-double median_of(std::vector<double> values) {
-  if (values.empty()) return std::nan("");
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 PassiveOutcome run_passive(const PassiveOptions& options, const SeedRange& seeds, int threads,
                            CostMethod cost, bool posterior) {
   std::vector<PassiveOutcome> parts(static_cast<std::size_t>(seeds.count));

@@ -31,6 +31,4 @@ struct PassiveOutcome {
 [[nodiscard]] simulate::PassiveOptions passive_crowd(double detection_probability,
                                                      double noise_rad);
 
-[[nodiscard]] double median_of(std::vector<double> values);
-
 }  // namespace scanfuse::app

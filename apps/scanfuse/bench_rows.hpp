@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -53,6 +54,14 @@ template <class Trial, class Value>
     ++count;
   }
   return count > 0 ? sum / count : std::nan("");
+}
+
+/// The upper one of two middles; not a number where there are none.
+[[nodiscard]] inline double median_of(std::vector<double> values) {
+  if (values.empty()) return std::nan("");
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
 }
 
 /// Which random scenes a benchmark draws: seeds first, first + 1, ...

@@ -158,9 +158,8 @@ void add_speed(std::vector<BenchRow>& rows, const Contender& contender, const Se
     }
   }
   if (times_us.empty()) return;
-  const auto middle = times_us.begin() + static_cast<std::ptrdiff_t>(times_us.size() / 2);
-  std::nth_element(times_us.begin(), middle, times_us.end());
-  rows.push_back({fmt::format("speed/{}/440 beams", contender.name), *middle, "us per scan"});
+  rows.push_back({fmt::format("speed/{}/440 beams", contender.name), median_of(std::move(times_us)),
+                  "us per scan"});
 }
 
 }  // namespace

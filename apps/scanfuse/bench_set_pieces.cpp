@@ -156,8 +156,7 @@ double step_us(int cars, const track::TrackerOptions& options) {
     tracker.step(time_from_seconds(0.08 * frame), detections);
     if (frame >= 10) times.push_back(thread_us() - start);
   }
-  std::nth_element(times.begin(), times.begin() + times.size() / 2, times.end());
-  return times[times.size() / 2];
+  return median_of(std::move(times));
 }
 
 }  // namespace

@@ -9,6 +9,15 @@
 
 namespace scanfuse::app {
 
+std::string settings_help(const std::vector<OptionView>& views) {
+  std::string text;
+  for (const auto& view : views) {
+    text += fmt::format("  {:<28} {} [{}; {}]\n", view.section + "." + view.name, view.doc,
+                        view.fallback, view.range);
+  }
+  return text;
+}
+
 Result<void> refuse_to_replace(const std::string& input, const std::string& output) {
   std::error_code missing;
   if (!std::filesystem::equivalent(input, output, missing)) return {};

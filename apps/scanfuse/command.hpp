@@ -3,8 +3,11 @@
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "scanfuse/core/diagnostics.hpp"
+#include "scanfuse/core/options.hpp"
 #include "scanfuse/core/result.hpp"
 
 namespace scanfuse::app {
@@ -47,6 +50,26 @@ void add_learn(Tool& tool);
 int report_error(const Error& error);
 /// Prints what was odd, one line each, on stderr; kDamagedInput when input was lost, else kDone.
 int report_diagnostics(const Diagnostics& diagnostics, bool quiet);
+
+/// Applies `--set section.name=value` or `--set name=value` to a command of one section.
+template <class Options>
+[[nodiscard]] Result<void> apply_settings(Options& options, std::string_view section,
+                                          const std::vector<std::string>& sets) {
+  const std::string prefix = std::string(section) + ".";
+  for (std::string_view set : sets) {
+    if (set.starts_with(prefix)) set.remove_prefix(prefix.size());
+    const auto equals = set.find('=');
+    if (equals == set.npos) {
+      return fail(Error::Code::kMalformed, "--set {}: write {}.name=value", set, section);
+    }
+    auto done = set_option(options, set.substr(0, equals), set.substr(equals + 1));
+    if (!done) return done;
+  }
+  return {};
+}
+
+/// Settings for a command's help, a line each.
+[[nodiscard]] std::string settings_help(const std::vector<OptionView>& views);
 
 /// An error when writing `output` would replace `input`.
 [[nodiscard]] Result<void> refuse_to_replace(const std::string& input, const std::string& output);

@@ -177,13 +177,6 @@ std::string report_page(const LearnOutcome& outcome) {
        range_chart(outcome.tracks, true)});
 }
 
-Result<void> write_whole(const std::string& path, const std::string& text) {
-  auto file = io::AtomicFile::create(path);
-  if (!file) return tl::unexpected(file.error());
-  if (auto done = file->write(text); !done) return done;
-  return file->commit();
-}
-
 int learn_classes(const LearnRequest& request, const CommonOptions& common) {
   catch_interrupts();
   if (!request.truths.empty() && request.truths.size() != request.inputs.size()) {
@@ -206,7 +199,7 @@ int learn_classes(const LearnRequest& request, const CommonOptions& common) {
     return report_error(done.error());
   }
   if (!request.report.empty()) {
-    auto done = write_whole(request.report, report_page(*outcome));
+    auto done = io::write_whole(request.report, report_page(*outcome));
     if (!done) return report_error(done.error());
   }
   if (auto done = file->commit(); !done) return report_error(done.error());

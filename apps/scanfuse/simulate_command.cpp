@@ -161,14 +161,8 @@ Result<SimulateOptions> simulate_options(const SimulateCommand& command) {
   if (auto done = set_option(options, "sensor", command.sensor); !done) {
     return tl::unexpected(done.error());
   }
-  for (std::string_view set : command.sets) {
-    if (set.starts_with("simulate.")) set.remove_prefix(9);
-    const auto equals = set.find('=');
-    if (equals == std::string_view::npos) {
-      return fail(Error::Code::kMalformed, "--set {}: write simulate.name=value", set);
-    }
-    auto done = set_option(options, set.substr(0, equals), set.substr(equals + 1));
-    if (!done) return tl::unexpected(done.error());
+  if (auto done = apply_settings(options, "simulate", command.sets); !done) {
+    return tl::unexpected(done.error());
   }
   return options;
 }

@@ -44,15 +44,8 @@ Result<void> write_passive_truth(const std::filesystem::path& path,
 
 int run_simulate_passive(PassiveArguments arguments, const CommonOptions& common) {
   arguments.options.noise_rad = arguments.noise_mrad * 1e-3;
-  for (std::string_view set : arguments.sets) {
-    if (set.starts_with("passive.")) set.remove_prefix(8);
-    const auto equals = set.find('=');
-    if (equals == set.npos) {
-      return report_error(
-          {Error::Code::kMalformed, fmt::format("--set {}: write passive.name=value", set)});
-    }
-    auto done = set_option(arguments.options, set.substr(0, equals), set.substr(equals + 1));
-    if (!done) return report_error(done.error());
+  if (auto done = apply_settings(arguments.options, "passive", arguments.sets); !done) {
+    return report_error(done.error());
   }
   const auto recording = simulate::simulate_passive(arguments.options, common.seed);
   if (!recording) return report_error(recording.error());

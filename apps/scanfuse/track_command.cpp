@@ -10,10 +10,6 @@ namespace scanfuse::app {
 namespace {
 
 nlohmann::json as_json(const TrackRequest& request, const TrackOutcome& outcome) {
-  nlohmann::json diagnostics = nlohmann::json::object();
-  for (const auto& [what, entry] : outcome.diagnostics.entries()) {
-    diagnostics[what] = {{"count", entry.count}, {"first", entry.first}, {"damage", entry.damage}};
-  }
   nlohmann::json json{
       {"input", request.input},
       {"scans", outcome.scans},
@@ -23,7 +19,7 @@ nlohmann::json as_json(const TrackRequest& request, const TrackOutcome& outcome)
       {"seconds_per_scan", {{"median", outcome.median_scan_s}, {"p99", outcome.p99_scan_s}}},
       {"interrupted", outcome.stopped},
       {"outputs", request.outputs},
-      {"diagnostics", diagnostics}};
+      {"diagnostics", diagnostics_json(outcome.diagnostics)}};
   if (outcome.score) json["evaluation"] = nlohmann::json::parse(to_json(*outcome.score));
   return json;
 }
@@ -47,7 +43,7 @@ void print_summary(const TrackRequest& request, const TrackOutcome& outcome) {
 int run(const TrackRequest& request, const CommonOptions& common) {
   catch_interrupts();
   if (!request.sensors.empty()) return run_track_passive(request, common);
-  if (holds_bearings(request.input)) {
+  if (io::table_kind(request.input) == io::TableKind::kBearings) {
     return report_error({Error::Code::kUnsupported,
                          request.input + ": bearings; say where the sensors are: --sensors TOML"});
   }

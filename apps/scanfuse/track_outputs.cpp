@@ -1,5 +1,7 @@
 #include "track_outputs.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "class_tables.hpp"
 #include "scanfuse/io/tables.hpp"
 #include "scanfuse/io/toml.hpp"
@@ -8,13 +10,6 @@ namespace scanfuse::app {
 namespace {
 
 using Rows = std::vector<std::pair<std::string, std::string>>;
-
-Result<void> write_whole(const std::filesystem::path& path, std::string_view text) {
-  auto file = io::AtomicFile::create(path);
-  if (!file) return tl::unexpected(file.error());
-  if (auto done = file->write(text); !done) return done;
-  return file->commit();
-}
 
 std::string milli(const std::optional<double>& value) {
   return value ? fmt::format("{:.3f}", *value) : "-";
@@ -127,13 +122,26 @@ Result<void> TrackOutputs::finish(const TrackRequest& request, const TrackOutcom
     if (outcome.score) header.metrics = metric_rows(*outcome.score);
     add_class_figures(outcome.by_class, header);
     header.diagnostics = diagnostic_rows(outcome.diagnostics);
-    if (auto done = write_whole(request.report, report_->html(header)); !done) return done;
+    if (auto done = io::write_whole(request.report, report_->html(header)); !done) return done;
   }
-  const std::string resolved = io::write_toml(pipeline::view_config(options));
-  for (const auto& path : request.outputs) {
-    if (auto done = write_whole(beside(path), resolved); !done) return done;
+  return write_configurations(request.outputs, pipeline::view_config(options));
+}
+
+Result<void> write_configurations(const std::vector<std::string>& results,
+                                  const std::vector<OptionView>& options) {
+  const std::string resolved = io::write_toml(options);
+  for (const auto& path : results) {
+    if (auto done = io::write_whole(beside(path), resolved); !done) return done;
   }
   return {};
+}
+
+nlohmann::json diagnostics_json(const Diagnostics& diagnostics) {
+  nlohmann::json json = nlohmann::json::object();
+  for (const auto& [what, entry] : diagnostics.entries()) {
+    json[what] = {{"count", entry.count}, {"first", entry.first}, {"damage", entry.damage}};
+  }
+  return json;
 }
 
 Rows summary_rows(const TrackOutcome& outcome) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <vector>
@@ -32,6 +33,13 @@ class TrackOutputs {
   std::optional<io::AtomicFile> detections_;
   std::unique_ptr<report::TrackReport> report_;
 };
+
+/// The resolved configuration beside each result: OUT.config.toml.
+[[nodiscard]] Result<void> write_configurations(const std::vector<std::string>& results,
+                                                const std::vector<OptionView>& options);
+
+/// What was odd, by name, as `--json` tells it.
+[[nodiscard]] nlohmann::json diagnostics_json(const Diagnostics& diagnostics);
 
 /// (name, value) rows for people.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> summary_rows(

@@ -1,14 +1,12 @@
 #include "track_passive.hpp"
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "scanfuse/io/atomic_file.hpp"
 #include "scanfuse/io/passive/passive.hpp"
 #include "scanfuse/io/result_writer.hpp"
-#include "scanfuse/io/toml.hpp"
 #include "scanfuse/triangulate/passive_tracker.hpp"
+#include "track_outputs.hpp"
 
 namespace scanfuse::app {
 namespace {
@@ -33,12 +31,11 @@ struct PassiveSettings {
 
 /// "passive.update=cubature"
 Result<void> change_setting(PassiveSettings& settings, std::string_view text) {
-  const auto equals = text.find('='), dot = text.find('.');
-  if (equals == text.npos || dot == text.npos || dot > equals) {
+  const auto setting = split_setting(text);
+  if (!setting) {
     return fail(Error::Code::kMalformed, "--set {}: write section.option=value", text);
   }
-  const auto section = text.substr(0, dot), value = text.substr(equals + 1);
-  const auto name = text.substr(dot + 1, equals - dot - 1);
+  const auto& [section, name, value] = *setting;
   if (section == "passive") return set_option(settings.track, name, value);
   if (section == "associate") return set_option(settings.associate, name, value);
   if (section == "candidates") return set_option(settings.associate.candidates, name, value);
@@ -175,23 +172,12 @@ Result<void> finish(Writers& writers, const TrackRequest& request,
   for (auto& writer : writers) {
     if (auto done = writer->finish(); !done) return done;
   }
-  const std::string resolved = io::write_toml(settings.views());
-  for (const auto& path : request.outputs) {
-    auto file =
-        io::AtomicFile::create(std::filesystem::path(path).replace_extension(".config.toml"));
-    if (!file) return tl::unexpected(file.error());
-    if (auto wrote = file->write(resolved); !wrote) return wrote;
-    if (auto done = file->commit(); !done) return done;
-  }
-  return {};
+  return write_configurations(request.outputs, settings.views());
 }
 
 nlohmann::json passive_json(const TrackRequest& request, const PassiveOutcome& outcome,
                             const PassiveScene& scene) {
-  nlohmann::json diagnostics = nlohmann::json::object(), biases = nlohmann::json::array();
-  for (const auto& [what, entry] : outcome.diagnostics.entries()) {
-    diagnostics[what] = {{"count", entry.count}, {"first", entry.first}, {"damage", entry.damage}};
-  }
+  nlohmann::json biases = nlohmann::json::array();
   for (std::size_t s = 0; s < outcome.biases.size(); ++s) {
     const SensorBias& bias = outcome.biases[s];
     nlohmann::json row{{"sensor", scene.sensors[s].name},
@@ -211,7 +197,7 @@ nlohmann::json passive_json(const TrackRequest& request, const PassiveOutcome& o
           {"biases", biases},
           {"interrupted", interrupted.load()},
           {"outputs", request.outputs},
-          {"diagnostics", diagnostics}};
+          {"diagnostics", diagnostics_json(outcome.diagnostics)}};
 }
 
 void print_passive(const TrackRequest& request, const PassiveOutcome& outcome,
@@ -233,17 +219,6 @@ void print_passive(const TrackRequest& request, const PassiveOutcome& outcome,
 }
 
 }  // namespace
-
-bool holds_bearings(const std::string& path) {
-  std::error_code odd;
-  if (!std::filesystem::is_regular_file(path, odd)) return false;
-  std::string line(200, '\0');
-  std::ifstream file(path, std::ios::binary);
-  file.read(line.data(), std::ssize(line));
-  line.resize(static_cast<std::size_t>(file.gcount()));
-  line.resize(std::min(line.find('\n'), line.size()));
-  return line.find("measurement") != line.npos && line.find("azimuth_rad") != line.npos;
-}
 
 int run_track_passive(const TrackRequest& request, const CommonOptions& common) {
   const auto settings = settings_of(request);
@@ -270,12 +245,8 @@ int run_track_passive(const TrackRequest& request, const CommonOptions& common) 
 }
 
 std::string passive_track_help() {
-  std::string text = "Settings for bearings (--set SECTION.NAME=VALUE):\n";
-  for (const auto& view : PassiveSettings{}.views()) {
-    text += fmt::format("  {:<28} {} [{}; {}]\n", view.section + "." + view.name, view.doc,
-                        view.fallback, view.range);
-  }
-  return text;
+  return "Settings for bearings (--set SECTION.NAME=VALUE):\n" +
+         settings_help(PassiveSettings{}.views());
 }
 
 }  // namespace scanfuse::app

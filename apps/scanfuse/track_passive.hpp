@@ -6,9 +6,6 @@
 
 namespace scanfuse::app {
 
-/// Whether a file's first line is the header of bearings.
-[[nodiscard]] bool holds_bearings(const std::string& path);
-
 /// `track` on bearings of passive sensors: tracks to the outputs, a summary or JSON to stdout.
 [[nodiscard]] int run_track_passive(const TrackRequest& request, const CommonOptions& common);
 

@@ -65,4 +65,12 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
   return best == candidates.end() ? std::string{} : *best;
 }
 
+std::optional<Setting> split_setting(std::string_view text) {
+  const auto equals = text.find('=');
+  const auto dot = text.substr(0, equals).find('.');
+  if (equals == text.npos || dot == text.npos) return std::nullopt;
+  return Setting{text.substr(0, dot), text.substr(dot + 1, equals - dot - 1),
+                 text.substr(equals + 1)};
+}
+
 }  // namespace scanfuse

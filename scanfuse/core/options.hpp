@@ -3,6 +3,7 @@
 #include <array>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -104,6 +105,15 @@ std::string range_text(const T& low, const T& high) {
 }
 
 }  // namespace detail
+
+/// "section.option=value", taken apart; its texts are views of it.
+struct Setting {
+  std::string_view section;
+  std::string_view name;
+  std::string_view value;
+};
+/// Empty for text of another form.
+[[nodiscard]] std::optional<Setting> split_setting(std::string_view text);
 
 /// The candidate closest to `name` by edit distance; empty where there is none.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates);

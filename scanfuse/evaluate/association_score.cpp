@@ -39,6 +39,17 @@ double ratio(std::int64_t part, std::int64_t whole) {
 
 }  // namespace
 
+std::optional<std::int64_t> origin_of(const BearingScan& scan, const Fix& fix) {
+  const auto origin = [&](std::int32_t place) {
+    return scan.bearings[static_cast<std::size_t>(place)].truth.value_or(-1);
+  };
+  const std::int64_t first = fix.bearings.empty() ? -1 : origin(fix.bearings.front());
+  const bool pure = first >= 0 && std::ranges::all_of(fix.bearings, [&](std::int32_t place) {
+                      return origin(place) == first;
+                    });
+  return pure ? std::optional(first) : std::nullopt;
+}
+
 AssociationScore& AssociationScore::operator+=(const AssociationScore& other) {
   scenes += other.scenes;
   targets += other.targets;
@@ -66,15 +77,9 @@ void AssociationScore::add(const BearingScan& scan, std::span<const Fix> found,
   fixes += std::ssize(found);
   targets += std::ranges::count_if(bearings_of_target, [](const auto& t) { return t.second >= 2; });
   for (const Fix& fix : found) {
-    const auto origin = [&](std::int32_t place) {
-      return scan.bearings[static_cast<std::size_t>(place)].truth.value_or(-1);
-    };
-    const std::int64_t first = fix.bearings.empty() ? -1 : origin(fix.bearings.front());
-    const bool pure = first >= 0 && std::ranges::all_of(fix.bearings, [&](std::int32_t place) {
-                        return origin(place) == first;
-                      });
-    ghosts += !pure;
-    exact += pure && fix.bearings.size() == bearings_of_target[first];
+    const auto origin = origin_of(scan, fix);
+    ghosts += !origin;
+    exact += origin && fix.bearings.size() == bearings_of_target[*origin];
   }
   squared_ospa += evaluate::squared_ospa(found, targets_m, cutoff_m);
 }

@@ -2,12 +2,17 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "scanfuse/types/bearing.hpp"
 
 namespace scanfuse::evaluate {
+
+/// The target (Bearing::truth) that all bearings of a fix are of; empty for a ghost: bearings of
+/// more than one origin, or of false alarms.
+[[nodiscard]] std::optional<std::int64_t> origin_of(const BearingScan& scan, const Fix& fix);
 
 /// How well bearings were joined, against who made them (Bearing::truth). A target counts when two
 /// sensors or more saw it: one direction is no place.
@@ -16,7 +21,7 @@ struct AssociationScore {
   std::int64_t targets = 0;  ///< that count
   std::int64_t fixes = 0;
   std::int64_t exact = 0;   ///< fixes of all bearings of one target and no other
-  std::int64_t ghosts = 0;  ///< fixes of bearings of more than one origin, or of false alarms
+  std::int64_t ghosts = 0;  ///< fixes without an origin
   double squared_ospa = 0;  ///< sum over scenes
 
   AssociationScore& operator+=(const AssociationScore& other);

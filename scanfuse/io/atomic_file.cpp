@@ -82,4 +82,11 @@ Result<void> AtomicFile::commit() {
               state_->path.string(), why);
 }
 
+Result<void> write_whole(const std::filesystem::path& path, std::string_view text) {
+  auto file = AtomicFile::create(path);
+  if (!file) return tl::unexpected(file.error());
+  if (auto wrote = file->write(text); !wrote) return wrote;
+  return file->commit();
+}
+
 }  // namespace scanfuse::io

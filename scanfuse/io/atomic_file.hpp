@@ -34,4 +34,7 @@ class AtomicFile {
   std::unique_ptr<State> state_;
 };
 
+/// A file of this text, made as an AtomicFile.
+[[nodiscard]] Result<void> write_whole(const std::filesystem::path& path, std::string_view text);
+
 }  // namespace scanfuse::io

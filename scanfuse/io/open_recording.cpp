@@ -118,7 +118,7 @@ std::optional<Error> refusal(const Probe& probe) {
   }
   const TableKind kind = table_kind_of_header(probe.first_line);
   if (kind == TableKind::kTracks || kind == TableKind::kTruth || kind == TableKind::kEgo ||
-      kind == TableKind::kDetections) {
+      kind == TableKind::kDetections || kind == TableKind::kBearings) {
     return unsupported(fmt::format("is a table of {}, not a recording of points", to_string(kind)));
   }
   return std::nullopt;

@@ -18,7 +18,7 @@
 /// and a missing column are errors. SI units and radians.
 namespace scanfuse::io {
 
-enum class TableKind { kNone, kPoints, kDetections, kTracks, kTruth, kEgo };
+enum class TableKind { kNone, kPoints, kDetections, kTracks, kTruth, kEgo, kBearings };
 
 /// What a file's header says that it holds; kNone for anything that is no such table.
 [[nodiscard]] TableKind table_kind(const std::filesystem::path& path);

@@ -38,14 +38,12 @@ Result<void> set_config(PerceptionOptions& options, std::string_view section, st
 }
 
 Result<void> set_config(PerceptionOptions& options, std::string_view assignment) {
-  const auto equals = assignment.find('=');
-  const auto dot = assignment.substr(0, equals).find('.');
-  if (equals == std::string_view::npos || dot == std::string_view::npos) {
+  const auto setting = split_setting(assignment);
+  if (!setting) {
     return fail(Error::Code::kMalformed, "'{}' is not of the form section.option=value",
                 assignment);
   }
-  return set_config(options, assignment.substr(0, dot),
-                    assignment.substr(dot + 1, equals - dot - 1), assignment.substr(equals + 1));
+  return set_config(options, setting->section, setting->name, setting->value);
 }
 
 std::vector<std::string> preset_names() {

@@ -7,25 +7,11 @@
 namespace scanfuse::triangulate {
 namespace {
 
-associate::Packing packing_of(const BearingScan& scan, Candidates candidates) {
-  associate::Packing packing;
-  packing.set_of_row.reserve(scan.bearings.size());
-  for (const Bearing& bearing : scan.bearings) packing.set_of_row.push_back(bearing.sensor);
-  packing.starts = std::move(candidates.starts);
-  packing.members = std::move(candidates.members);
-  packing.weights = std::move(candidates.weights);
-  return packing;
-}
-
 Result<associate::PackingSolution> solve(const associate::Packing& packing,
                                          const AssociationOptions& options, int threads) {
-  if (options.solver != associate::PackingMethod::kPriceAndBranch) {
-    return associate::solve_packing(options.solver, packing);
-  }
-  associate::PriceAndBranch solver;
-  solver.options.time_limit_s = options.time_limit_s;
-  solver.options.threads = threads;
-  return solver(packing);
+  return options.solver == associate::PackingMethod::kPriceAndBranch
+             ? price_and_branch(packing, options.time_limit_s, threads)
+             : associate::solve_packing(options.solver, packing);
 }
 
 /// The most likely place of a chosen hypothesis; its bearings are known to meet.
@@ -87,13 +73,11 @@ Result<void> add_posterior(ScanAssociation& found, const AssociationOptions& opt
 
 }  // namespace
 
-Result<ScanAssociation> associate_scan(const BearingScan& scan, const PassiveScene& scene,
-                                       const AssociationOptions& options, int threads) {
-  ScanAssociation result;
-  result.prior = scene_prior(scene, scan);
-  const Cost cost = make_cost(options.cost, options.alpha);
-  Candidates candidates =
-      find_candidates(scan, scene, result.prior.prior, cost, options.candidates, threads);
+Result<WeighedHypotheses> weigh_hypotheses(const BearingScan& scan, const PassiveScene& scene,
+                                           const ScenePrior& prior,
+                                           const AssociationOptions& options, int threads) {
+  Candidates candidates = find_candidates(
+      scan, scene, prior, make_cost(options.cost, options.alpha), options.candidates, threads);
   if (candidates.too_many) {
     return fail(Error::Code::kOutOfRange,
                 "scan {}: too many ways to join {} bearings, even with a narrow gate (more than {} "
@@ -102,9 +86,33 @@ Result<ScanAssociation> associate_scan(const BearingScan& scan, const PassiveSce
                 scan.scan, scan.bearings.size(), options.candidates.most_pairs,
                 options.candidates.most_candidates);
   }
-  result.pairs_tried = candidates.tried;
-  result.gate_probability = candidates.gate_probability;
-  result.packing = packing_of(scan, std::move(candidates));
+  WeighedHypotheses weighed{{}, candidates.tried, candidates.gate_probability};
+  associate::Packing& packing = weighed.packing;
+  packing.set_of_row.reserve(scan.bearings.size());
+  for (const Bearing& bearing : scan.bearings) packing.set_of_row.push_back(bearing.sensor);
+  packing.starts = std::move(candidates.starts);
+  packing.members = std::move(candidates.members);
+  packing.weights = std::move(candidates.weights);
+  return weighed;
+}
+
+Result<associate::PackingSolution> price_and_branch(const associate::Packing& packing,
+                                                    double time_limit_s, int threads) {
+  associate::PriceAndBranch solver;
+  solver.options.time_limit_s = time_limit_s;
+  solver.options.threads = threads;
+  return solver(packing);
+}
+
+Result<ScanAssociation> associate_scan(const BearingScan& scan, const PassiveScene& scene,
+                                       const AssociationOptions& options, int threads) {
+  ScanAssociation result;
+  result.prior = scene_prior(scene, scan);
+  auto weighed = weigh_hypotheses(scan, scene, result.prior.prior, options, threads);
+  if (!weighed) return tl::unexpected(weighed.error());
+  result.packing = std::move(weighed->packing);
+  result.pairs_tried = weighed->pairs_tried;
+  result.gate_probability = weighed->gate_probability;
   const auto start = std::chrono::steady_clock::now();
   auto solution = solve(result.packing, options, threads);
   result.solver_seconds =

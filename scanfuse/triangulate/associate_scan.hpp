@@ -48,6 +48,23 @@ struct ScanAssociation {
   double gate_probability = 0;  ///< narrower than asked for where there were too many hypotheses
 };
 
+/// The hypotheses of a scan as columns over its bearings.
+struct WeighedHypotheses {
+  associate::Packing packing;
+  std::int64_t pairs_tried = 0;
+  double gate_probability = 0;
+};
+/// An error where there are more than allowed at any gate.
+[[nodiscard]] Result<WeighedHypotheses> weigh_hypotheses(const BearingScan& scan,
+                                                         const PassiveScene& scene,
+                                                         const ScenePrior& prior,
+                                                         const AssociationOptions& options,
+                                                         int threads);
+
+/// The best packing, proved unless time runs out.
+[[nodiscard]] Result<associate::PackingSolution> price_and_branch(const associate::Packing& packing,
+                                                                  double time_limit_s, int threads);
+
 /// A fix's existence_probability is the posterior of the hypotheses that hold more than half of its
 /// bearings (no two of them can be true at once); without `posterior` that of its own evidence.
 ///

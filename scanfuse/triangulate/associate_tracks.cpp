@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scanfuse/associate/log_sums.hpp"
 #include "scanfuse/core/parallel.hpp"
 #include "scanfuse/estimate/consistency.hpp"
 #include "scanfuse/triangulate/track_columns.hpp"
@@ -11,20 +12,9 @@
 namespace scanfuse::triangulate {
 namespace {
 
-/// ln(1 + e^x)
-double softplus(double x) { return x > 0 ? x + std::log1p(std::exp(-x)) : std::log1p(std::exp(x)); }
-
 /// ln [r e^L / (1 - r + r e^L0)]
 double weight_of(const PassiveTrack& track, double log_ratio, double log_missed) {
-  return track.log_odds + log_ratio - softplus(track.log_odds + log_missed);
-}
-
-Result<associate::PackingSolution> solve(const associate::Packing& packing, double time_limit_s,
-                                         int threads) {
-  associate::PriceAndBranch solver;
-  solver.options.time_limit_s = time_limit_s;
-  solver.options.threads = threads;
-  return solver(packing);
+  return track.log_odds + log_ratio - associate::log_add(0, track.log_odds + log_missed);
 }
 
 void sort_starts(TrackChoice& choice) {
@@ -39,10 +29,12 @@ std::vector<std::vector<TrackColumn>> columns_of_tracks(std::span<const LineOfSi
                                                         const PassiveTrackOptions& options,
                                                         int threads) {
   const auto sensors = lines_by_sensor(lines, scene);
+  const std::array limits{estimate::chi_square_quantile(options.gate_probability, 1),
+                          estimate::chi_square_quantile(options.gate_probability, 2)};
   std::vector<std::vector<TrackColumn>> columns(tracks.size());
   parallel_for(tracks.size(), threads, [&](std::size_t t) {
-    columns[t] = columns_of_track(place_of(tracks[t].state), sensors, scene, prior,
-                                  options.gate_probability, options.columns_of_track);
+    columns[t] = columns_of_track(place_of(tracks[t].state), sensors, scene, prior, limits,
+                                  options.columns_of_track);
   });
   return columns;
 }
@@ -81,24 +73,13 @@ Result<TrackChoice> jointly(const BearingScan& scan, std::span<const LineOfSight
                             const ScenePrior& prior, const PassiveTrackOptions& options,
                             const AssociationOptions& association, int threads) {
   const auto columns = columns_of_tracks(lines, tracks, scene, prior, options, threads);
-  Candidates fresh =
-      find_candidates(scan, scene, prior, make_cost(association.cost, association.alpha),
-                      association.candidates, threads);
-  if (fresh.too_many) {
-    return fail(Error::Code::kOutOfRange,
-                "scan {}: more than {} ways to join {} bearings even with a narrow gate; raise "
-                "candidates.most_candidates",
-                scan.scan, association.candidates.most_candidates, scan.bearings.size());
-  }
-  associate::Packing packing;
-  for (const Bearing& b : scan.bearings) packing.set_of_row.push_back(b.sensor);
-  packing.starts = std::move(fresh.starts);
-  packing.members = std::move(fresh.members);
-  packing.weights = std::move(fresh.weights);
+  auto fresh = weigh_hypotheses(scan, scene, prior, association, threads);
+  if (!fresh) return tl::unexpected(fresh.error());
+  associate::Packing& packing = fresh->packing;
   const std::size_t first = packing.columns();
   const auto origins =
       add_tracks(packing, columns, tracks, static_cast<std::int32_t>(scene.sensors.size()));
-  const auto solution = solve(packing, association.time_limit_s, threads);
+  const auto solution = price_and_branch(packing, association.time_limit_s, threads);
   if (!solution) return tl::unexpected(solution.error());
   TrackChoice choice;
   choice.gap = solution->gap();
@@ -124,14 +105,12 @@ Result<TrackChoice> jointly(const BearingScan& scan, std::span<const LineOfSight
 /// it.
 double log_without_fix(const Eigen::Vector3d& place_m, const PassiveScene& scene,
                        const ScenePrior& prior) {
-  double none = 1, one = 0;
+  AtMostOne seen;
   for (std::size_t s = 0; s < scene.sensors.size(); ++s) {
     const double missed = std::exp(prior.sensors[s].log_missed);  // 1 where it did not look
-    if (!in_field_of_view(scene.sensors[s], place_m)) continue;
-    one = one * missed + none * (1 - missed);
-    none *= missed;
+    if (in_field_of_view(scene.sensors[s], place_m)) seen.add(1 - missed);
   }
-  return std::log(std::min(none + one, 1.0));
+  return std::log(seen.probability());
 }
 
 /// A fix as a track's: its evidence with the place that the track predicts for the even intensity.
@@ -175,7 +154,7 @@ Result<TrackChoice> fixes_first(const BearingScan& scan, std::span<const Passive
       ratios.push_back(*ratio);
     }
   }
-  const auto solution = solve(packing, association.time_limit_s, threads);
+  const auto solution = price_and_branch(packing, association.time_limit_s, threads);
   if (!solution) return tl::unexpected(solution.error());
   std::vector<bool> used(found->fixes.size(), false);
   for (const std::int32_t chosen : solution->chosen) {

@@ -8,7 +8,7 @@
 #include "scanfuse/core/parallel.hpp"
 #include "scanfuse/estimate/consistency.hpp"
 #include "scanfuse/triangulate/closest_points.hpp"
-#include "scanfuse/triangulate/epipolar_index.hpp"
+#include "scanfuse/triangulate/lines_by_sensor.hpp"
 
 namespace scanfuse::triangulate {
 namespace {
@@ -30,22 +30,13 @@ class Gate {
   std::vector<double> limits_;
 };
 
-/// One sensor's lines of a scan and where they stand in it.
-struct SensorLines {
-  std::vector<LineOfSight> lines;
-  std::vector<std::int32_t> places;
-  AzimuthIndex by_azimuth;
-  Eigen::Vector3d origin_m = Eigen::Vector3d::Zero();
-  double widest_rad = 0;  ///< the largest sigma among them
-};
-
 /// Everything about a scan that growing a hypothesis looks at.
 struct Search {
   const PassiveScene& scene;
   const ScenePrior& prior;
   const Cost& cost;
-  std::vector<SensorLines> sensors;
-  std::vector<std::vector<EpipolarIndex>> pairs;  ///< [a][b - a - 1]
+  const std::vector<LinesOfSensor>& sensors;
+  const std::vector<std::vector<EpipolarIndex>>& pairs;  ///< [a][b - a - 1]
   Gate gate;
   double sigmas = 0;  ///< of a pair's miss
   std::int64_t most = 0;
@@ -65,9 +56,9 @@ class Grower {
   Grower(Search& search, Candidates& out) : search_(search), out_(out) {}
 
   void grow_from(std::size_t sensor, std::size_t line) {
-    const SensorLines& first = search_.sensors[sensor];
+    const LinesOfSensor& first = search_.sensors[sensor];
     for (partner_ = sensor + 1; partner_ < search_.sensors.size(); ++partner_) {
-      const SensorLines& second = search_.sensors[partner_];
+      const LinesOfSensor& second = search_.sensors[partner_];
       search_.pairs[sensor][partner_ - sensor - 1].for_partners(
           first.lines[line], search_.sigmas, [&](std::int32_t j) {
             ++out_.tried;
@@ -108,7 +99,7 @@ class Grower {
   /// Before the partner come only lines that could not be a partner themselves: those parallel to
   /// the first. So each hypothesis is found once.
   void grow_by(std::size_t sensor, const Location& at) {
-    const SensorLines& next = search_.sensors[sensor];
+    const LinesOfSensor& next = search_.sensors[sensor];
     const double range = (at.position_m - next.origin_m).norm();
     const double blur = std::sqrt(at.covariance_m2.trace()) / std::max(range, 1e-6);
     const double reach = kSlack * std::sqrt(search_.gate.of(2)) * (next.widest_rad + blur);
@@ -163,22 +154,15 @@ class Grower {
   std::size_t partner_ = 0;
 };
 
-std::vector<SensorLines> by_sensor(const BearingScan& scan, const PassiveScene& scene) {
-  std::vector<SensorLines> sensors(scene.sensors.size());
-  for (std::size_t i = 0; i < scan.bearings.size(); ++i) {
-    const Bearing& bearing = scan.bearings[i];
-    SensorLines& of = sensors[static_cast<std::size_t>(bearing.sensor)];
-    of.lines.push_back(
-        line_of_sight(scene.sensors[static_cast<std::size_t>(bearing.sensor)], bearing));
-    of.places.push_back(static_cast<std::int32_t>(i));
-    of.widest_rad =
-        std::max({of.widest_rad, of.lines.back().sigma_left_rad, of.lines.back().sigma_up_rad});
+std::vector<std::vector<EpipolarIndex>> indices_of_pairs(
+    const std::vector<LinesOfSensor>& sensors) {
+  std::vector<std::vector<EpipolarIndex>> pairs(sensors.size());
+  for (std::size_t a = 0; a < sensors.size(); ++a) {
+    for (std::size_t b = a + 1; b < sensors.size(); ++b) {
+      pairs[a].emplace_back(sensors[a].origin_m, sensors[b].lines);
+    }
   }
-  for (std::size_t s = 0; s < sensors.size(); ++s) {
-    sensors[s].origin_m = scene.sensors[s].world_from_sensor.translation_m;
-    sensors[s].by_azimuth = AzimuthIndex(scene.sensors[s], sensors[s].lines);
-  }
-  return sensors;
+  return pairs;
 }
 
 /// Whether the indices hold out more pairs than `most`. Nothing is counted where there cannot be.
@@ -279,21 +263,15 @@ Candidates find_candidates(const BearingScan& scan, const PassiveScene& scene,
                            const ScenePrior& prior, const Cost& cost,
                            const CandidateOptions& options, int threads) {
   constexpr double kNarrower[] = {1, 0.99, 0.9, 0.5};
+  const auto sensors = lines_by_sensor(lines_of_sight(scan, scene), scene);
+  const auto pairs = indices_of_pairs(sensors);
   Candidates all;
   for (const double share : kNarrower) {
     const double probability = options.gate_probability * share;
-    Search search{scene, prior,
-                  cost,  by_sensor(scan, scene),
-                  {},    Gate(probability, scene.sensors.size()),
-                  0,     options.most_candidates,
-                  {}};
-    search.sigmas = std::sqrt(search.gate.of(1));
-    for (std::size_t a = 0; a < search.sensors.size(); ++a) {
-      auto& pairs = search.pairs.emplace_back();
-      for (std::size_t b = a + 1; b < search.sensors.size(); ++b) {
-        pairs.emplace_back(search.sensors[a].origin_m, search.sensors[b].lines);
-      }
-    }
+    const Gate gate(probability, scene.sensors.size());
+    Search search{
+        scene, prior, cost, sensors, pairs, gate, std::sqrt(gate.of(1)), options.most_candidates,
+        {}};
     all.too_many = too_many_pairs(search, options.most_pairs);
     if (!all.too_many) all = grow_all(search, threads);
     all.gate_probability = probability;

@@ -11,32 +11,32 @@ namespace {
 
 const double kLog2Pi = std::log(2 * kPi);
 
-/// sum ln(1 - PD) over the sensors that look at the target and took no part.
-double log_misses(const Hypothesis& h, const PassiveScene& scene, const ScenePrior& prior) {
-  double sum = 0;
+/// Calls visit(place) for the sensors that look at the target and took no part.
+template <class Visit>
+void for_missing(const Hypothesis& h, const PassiveScene& scene, Visit&& visit) {
   std::size_t member = 0;
   for (std::size_t s = 0; s < scene.sensors.size(); ++s) {
     if (member < h.lines.size() && h.lines[member].sensor == static_cast<std::int32_t>(s)) {
       ++member;
     } else if (in_field_of_view(scene.sensors[s], h.location.position_m)) {
-      sum += prior.sensors[s].log_missed;
+      visit(s);
     }
   }
+}
+
+/// sum ln(1 - PD) over them.
+double log_misses(const Hypothesis& h, const PassiveScene& scene, const ScenePrior& prior) {
+  double sum = 0;
+  for_missing(h, scene, [&](std::size_t s) { sum += prior.sensors[s].log_missed; });
   return sum;
 }
 
-/// Whether no sensor that never misses (PD = 1) and looks at the target is left out.
+/// Whether no sensor that never misses (PD = 1) is among them.
 bool certain_sensors_took_part(const Hypothesis& h, const PassiveScene& scene) {
-  std::size_t member = 0;
-  for (std::size_t s = 0; s < scene.sensors.size(); ++s) {
-    if (member < h.lines.size() && h.lines[member].sensor == static_cast<std::int32_t>(s)) {
-      ++member;
-    } else if (scene.sensors[s].detection_probability >= 1 &&
-               in_field_of_view(scene.sensors[s], h.location.position_m)) {
-      return false;
-    }
-  }
-  return true;
+  bool all = true;
+  for_missing(h, scene,
+              [&](std::size_t s) { all = all && scene.sensors[s].detection_probability < 1; });
+  return all;
 }
 
 /// ln PD - ln lambda.

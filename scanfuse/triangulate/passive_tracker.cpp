@@ -27,14 +27,11 @@ std::vector<bool> looking(const BearingScan& scan, const PassiveScene& scene) {
 
 /// That two or more of the sensors that look see a target: what it takes to start a track.
 double chance_of_start(const PassiveScene& scene, const std::vector<bool>& looks) {
-  double none = 1, one = 0;
+  AtMostOne seen;
   for (std::size_t s = 0; s < looks.size(); ++s) {
-    if (!looks[s]) continue;
-    const double p = scene.sensors[s].detection_probability;
-    one = one * (1 - p) + none * p;
-    none *= 1 - p;
+    if (looks[s]) seen.add(scene.sensors[s].detection_probability);
   }
-  return std::clamp(1 - none - one, 0.0, 1.0);
+  return 1 - seen.probability();
 }
 
 /// ln odds of r s from those of r.

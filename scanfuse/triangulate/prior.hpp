@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "scanfuse/types/bearing.hpp"
@@ -36,5 +37,18 @@ struct EstimatedPrior {
   bool targets_estimated = false;
 };
 [[nodiscard]] EstimatedPrior scene_prior(const PassiveScene& scene, const BearingScan& scan);
+
+/// The chance that none or one of several independent things happens, one after the other.
+class AtMostOne {
+ public:
+  void add(double probability) {
+    one_ = one_ * (1 - probability) + none_ * probability;
+    none_ *= 1 - probability;
+  }
+  [[nodiscard]] double probability() const { return std::min(none_ + one_, 1.0); }
+
+ private:
+  double none_ = 1, one_ = 0;
+};
 
 }  // namespace scanfuse::triangulate

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scanfuse/estimate/consistency.hpp"
 #include "scanfuse/estimate/kalman.hpp"
 
 namespace scanfuse::triangulate {
@@ -39,7 +38,7 @@ Taken take(const Gaussian<3>& place, const Sight& seen, const LineOfSight& line)
 struct Gates {
   const PassiveScene& scene;
   const ScenePrior& prior;
-  std::array<double, 2> limits;  ///< chi-square quantile, 1 and 2 degrees of freedom
+  const std::array<double, 2>& limits;  ///< chi-square quantile, 1 and 2 degrees of freedom
 };
 
 void grow(const Growing& from, const LinesOfSensor& sensor, const Gates& gates,
@@ -66,29 +65,11 @@ void grow(const Growing& from, const LinesOfSensor& sensor, const Gates& gates,
 
 }  // namespace
 
-std::vector<LinesOfSensor> lines_by_sensor(std::span<const LineOfSight> lines,
-                                           const PassiveScene& scene) {
-  std::vector<LinesOfSensor> sensors(scene.sensors.size());
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    LinesOfSensor& of = sensors[static_cast<std::size_t>(lines[i].sensor)];
-    of.lines.push_back(lines[i]);
-    of.places.push_back(static_cast<std::int32_t>(i));
-    of.widest_rad = std::max({of.widest_rad, lines[i].sigma_left_rad, lines[i].sigma_up_rad});
-  }
-  for (std::size_t s = 0; s < sensors.size(); ++s) {
-    sensors[s].by_azimuth = AzimuthIndex(scene.sensors[s], sensors[s].lines);
-  }
-  return sensors;
-}
-
 std::vector<TrackColumn> columns_of_track(const Gaussian<3>& place_m,
                                           std::span<const LinesOfSensor> sensors,
                                           const PassiveScene& scene, const ScenePrior& prior,
-                                          double gate_probability, int most) {
-  const Gates gates{scene,
-                    prior,
-                    {estimate::chi_square_quantile(gate_probability, 1),
-                     estimate::chi_square_quantile(gate_probability, 2)}};
+                                          const std::array<double, 2>& limits, int most) {
+  const Gates gates{scene, prior, limits};
   std::vector<Growing> growing{{{}, place_m}}, next;
   for (std::size_t s = 0; s < sensors.size(); ++s) {
     if (sensors[s].lines.empty()) continue;

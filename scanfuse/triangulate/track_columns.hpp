@@ -1,23 +1,14 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
-#include "scanfuse/triangulate/epipolar_index.hpp"
+#include "scanfuse/triangulate/lines_by_sensor.hpp"
 #include "scanfuse/triangulate/prior.hpp"
 
 /// What a predicted target says of the bearings of a scan: prior evidence for their association.
 namespace scanfuse::triangulate {
-
-/// One sensor's lines of a scan and where they stand in it.
-struct LinesOfSensor {
-  std::vector<LineOfSight> lines;
-  std::vector<std::int32_t> places;  ///< in BearingScan::bearings
-  AzimuthIndex by_azimuth;
-  double widest_rad = 0;  ///< the largest sigma among them
-};
-[[nodiscard]] std::vector<LinesOfSensor> lines_by_sensor(std::span<const LineOfSight> lines,
-                                                         const PassiveScene& scene);
 
 /// Bearings that could all be of a target, at most one of each sensor.
 struct TrackColumn {
@@ -32,10 +23,9 @@ struct TrackColumn {
 /// sensor after sensor, each bearing taken narrows the place for the next. Sensors without a
 /// bearing in the scan did not look, nor do those that have the target outside their field of view.
 /// Of more than `most` columns the heaviest so far are kept at each sensor, and the empty one.
-[[nodiscard]] std::vector<TrackColumn> columns_of_track(const Gaussian<3>& place_m,
-                                                        std::span<const LinesOfSensor> sensors,
-                                                        const PassiveScene& scene,
-                                                        const ScenePrior& prior,
-                                                        double gate_probability, int most);
+/// `limits`: the chi-square quantiles of one and of two degrees of freedom.
+[[nodiscard]] std::vector<TrackColumn> columns_of_track(
+    const Gaussian<3>& place_m, std::span<const LinesOfSensor> sensors, const PassiveScene& scene,
+    const ScenePrior& prior, const std::array<double, 2>& limits, int most);
 
 }  // namespace scanfuse::triangulate

@@ -282,6 +282,8 @@ TEST(TableKind, IsToldByTheHeader) {
   EXPECT_EQ(table_kind_of_header("frame,time_s,object_id,class,x_m,y_m"), TableKind::kTruth);
   EXPECT_EQ(table_kind_of_header("frame,time_s,class,score,x_m,y_m"), TableKind::kDetections);
   EXPECT_EQ(table_kind_of_header("time_s,x_m,y_m,heading_rad"), TableKind::kEgo);
+  EXPECT_EQ(table_kind_of_header("scan,time_s,sensor,measurement,azimuth_rad,elevation_rad"),
+            TableKind::kBearings);
   EXPECT_EQ(table_kind_of_header("x,y"), TableKind::kPoints);
   EXPECT_EQ(table_kind_of_header("hello, world"), TableKind::kNone);
 }

@@ -46,6 +46,7 @@ TableKind table_kind_of_header(std::string_view header) {
   split_csv(header, scratch, names);
   const auto has = [&](auto... wanted) { return names_contain(names, {wanted...}); };
   if (has("track_id")) return TableKind::kTracks;
+  if (has("measurement", "azimuth_rad")) return TableKind::kBearings;
   if (has("object_id")) return TableKind::kTruth;
   if (has("class", "x_m", "y_m")) return TableKind::kDetections;
   if (has("x_m", "y_m", "heading_rad") && !has("frame")) return TableKind::kEgo;
@@ -81,6 +82,8 @@ std::string_view to_string(TableKind kind) {
       return "truth";
     case TableKind::kEgo:
       return "ego motion";
+    case TableKind::kBearings:
+      return "bearings";
     case TableKind::kNone:
       break;
   }

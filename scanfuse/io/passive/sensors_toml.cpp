@@ -305,8 +305,6 @@ Result<PassiveScene> read_sensors(const std::filesystem::path& path) {
 }
 
 Result<void> write_sensors(const std::filesystem::path& path, const PassiveScene& scene) {
-  auto file = AtomicFile::create(path);
-  if (!file) return tl::unexpected(file.error());
   std::string text;
   for (const PassiveSensor& sensor : scene.sensors) text += sensor_toml(sensor);
   if (scene.volume_m || scene.expected_targets) text += "[scene]\n";
@@ -318,8 +316,7 @@ Result<void> write_sensors(const std::filesystem::path& path, const PassiveScene
   if (scene.expected_targets) {
     text += fmt::format("expected_targets = {}\n", *scene.expected_targets);
   }
-  if (auto wrote = file->write(text); !wrote) return wrote;
-  return file->commit();
+  return write_whole(path, text);
 }
 
 }  // namespace scanfuse::io
