@@ -132,7 +132,7 @@ TEST(BoxTrack, YawRateOfASteadyTurnIsReported) {
   RandomStream random(5);
   Tracker tracker;
   const double w = 0.3, v = 6, radius = v / w;
-  double mean_yaw_rate = 0;
+  double mean_yaw_rate = 0, mean_square_error = 0;
   for (int k = 0; k < 100; ++k) {
     const double psi = w * 0.08 * k;
     const Eigen::Vector2d centre(20 + radius * std::sin(psi), -radius * std::cos(psi));
@@ -143,10 +143,12 @@ TEST(BoxTrack, YawRateOfASteadyTurnIsReported) {
     const auto& tracks = tracker.step(moment(k), std::span(&d, 1));
     if (k < 50) continue;
     mean_yaw_rate += tracks[0].yaw_rate_rad_per_s / 50;
+    mean_square_error += std::pow(tracks[0].yaw_rate_rad_per_s - w, 2) / 50;
     EXPECT_NEAR(tracks[0].yaw_rate_rad_per_s, w, 0.3) << k;  // the largest of 50 errors
     EXPECT_NEAR(wrap_pi(tracks[0].box.heading_rad - psi), 0, 0.12) << k;
     EXPECT_NEAR(tracks[0].speed_m_per_s, v, 0.9) << k;
   }
+  EXPECT_LT(std::sqrt(mean_square_error), 0.12);
   EXPECT_NEAR(mean_yaw_rate, w, 0.1);  // turns are believed to end: it stays low
 }
 
