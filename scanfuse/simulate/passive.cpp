@@ -108,8 +108,9 @@ std::vector<PassiveTarget> make_targets(const PassiveOptions& options,
     if (options.target_layout == TargetLayout::kLine) {
       target.position_m.x() += k * options.spacing_m;
     } else if (options.target_layout == TargetLayout::kGrid) {
-      target.position_m.x() += (k % side - (side - 1) / 2.0) * options.spacing_m;
-      target.position_m.y() += (k / side - (side - 1) / 2.0) * options.spacing_m;
+      const int row = k / side, column = k % side;
+      target.position_m.x() += (column - (side - 1) / 2.0) * options.spacing_m;
+      target.position_m.y() += (row - (side - 1) / 2.0) * options.spacing_m;
     } else if (options.target_layout == TargetLayout::kRandom || k == 0) {
       target.position_m = anywhere(volume, random);
     } else {
