@@ -6,7 +6,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 STAGES = {"preprocess", "segment", "shape", "classify", "estimate", "associate", "track",
-          "triangulate", "evaluate", "simulate", "io", "report"}
+          "triangulate", "evaluate", "calibrate", "camera", "drivers", "simulate", "io", "report"}
 LOW = {"core", "geometry", "types"}
 MAY_USE = {
     "core": set(),
@@ -19,6 +19,7 @@ MAY_USE = {
 MAY_USE["track"] |= {"estimate", "associate"}
 MAY_USE["triangulate"] |= {"estimate", "associate"}
 MAY_USE["simulate"] |= {"estimate", "shape"}
+MAY_USE["calibrate"] |= {"estimate", "shape"}
 PUBLIC_LIBRARIES = ("Eigen/", "tl/expected.hpp", "fmt/")
 
 problems = []
