@@ -32,6 +32,8 @@ constexpr double kLeastWander_m = 0.04;
 constexpr double kDeparted = 3;  ///< deviations
 constexpr double kLeaving_m_per_s = 0.2;
 constexpr double kFastestTurn_rad_per_s = 1.5;  ///< boxes that jump turn faster, vehicles do not
+constexpr double kStraight_rad_per_s = 0.02;
+constexpr double kTurning_rad_per_s = 0.3;
 
 /// Modes are left so often, 1/s.
 Switching switching_rates() {
@@ -105,6 +107,17 @@ bool departs(Target& target, double dt_s) {
          outward > kLeaving_m_per_s * off.norm();
 }
 
+/// Mean of a turn rate of which the estimate is w with variance P, where half of what drives goes
+/// straight: w times the posterior of "it turns".
+double believed_turn(double w, double P) {
+  const auto log_density = [&](double sigma) {
+    const double S = P + sigma * sigma;
+    return -0.5 * (w * w / S + std::log(S));
+  };
+  const double odds_straight = log_density(kStraight_rad_per_s) - log_density(kTurning_rad_per_s);
+  return w / (1 + std::exp(odds_straight));
+}
+
 Weights reweighed(const Weights& prior, const Weights& log_likelihood) {
   const double largest = log_likelihood.maxCoeff();
   const Weights logs = (log_likelihood.array() - largest).exp() * prior.array();
@@ -137,8 +150,9 @@ Manoeuvre manoeuvre_of(const Target& target, const TrackerOptions& options) {
   if (options.motion == Motion::kCv || follows_its_course(target)) return {};
   if (!course_of(target.state).reliable) return {};
   Manoeuvre m;
-  m.yaw_rate_rad_per_s =
-      std::clamp(target.heading.mean(1), -kFastestTurn_rad_per_s, kFastestTurn_rad_per_s);
+  m.yaw_rate_rad_per_s = believed_turn(
+      std::clamp(target.heading.mean(1), -kFastestTurn_rad_per_s, kFastestTurn_rad_per_s),
+      target.heading.covariance(1, 1));
   if (options.motion == Motion::kCtra) m.accel_m_per_s2 = target.accel_m_per_s2;
   return m;
 }

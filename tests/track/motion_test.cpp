@@ -50,6 +50,37 @@ TEST(StepAlongArc, BrakingEndsAtRest) {
   EXPECT_NEAR(to(kVx), 0, 1e-12);
 }
 
+/// A car that surely moves, and its heading filter's belief of the turn rate.
+Target car_that_turns(double yaw_rate, double variance) {
+  Target car;
+  car.state.mean = moving(8, 0);
+  car.state.covariance = 0.01 * StateMatrix::Identity();
+  car.class_weight[static_cast<std::size_t>(ObjectClass::kVehicle)] = 1;
+  car.heading.mean << 0, yaw_rate;
+  car.heading.covariance << 0.001, 0, 0, variance;
+  return car;
+}
+
+TEST(ManoeuvreOf, ATurnWithinItsNoiseIsHardlyGoneOnWith) {
+  const auto m = manoeuvre_of(car_that_turns(0.06, 0.04 * 0.04), {});
+  EXPECT_GT(m.yaw_rate_rad_per_s, 0);
+  EXPECT_LT(m.yaw_rate_rad_per_s, 0.03);
+}
+
+TEST(ManoeuvreOf, ASureTurnIsGoneOnWith) {
+  const auto m = manoeuvre_of(car_that_turns(-0.3, 0.04 * 0.04), {});
+  EXPECT_NEAR(m.yaw_rate_rad_per_s, -0.3, 0.01);
+}
+
+TEST(ManoeuvreOf, NoTurnRateGivesNonsense) {
+  for (const double w : {0.0, 1e-300, 1e3, 1e200}) {
+    for (const double variance : {0.0, 1e-12, 1e6}) {
+      const auto m = manoeuvre_of(car_that_turns(w, variance), {});
+      EXPECT_TRUE(std::isfinite(m.yaw_rate_rad_per_s)) << w << " " << variance;
+    }
+  }
+}
+
 /// Mean error of the velocity over the last 60 of 100 scans of a car that turns.
 double velocity_error(Motion motion) {
   simulate::Mover car{{-20, 0}, {8, 0}};
