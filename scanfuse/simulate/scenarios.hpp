@@ -22,6 +22,7 @@ namespace scanfuse::simulate {
 [[nodiscard]] World crossing(RandomStream random);
 [[nodiscard]] World road_users(RandomStream random);
 [[nodiscard]] World mixed_streets(RandomStream random);
+[[nodiscard]] World among_people(RandomStream random);
 [[nodiscard]] World curved_road(RandomStream random);
 [[nodiscard]] World curved_road_cyclist(RandomStream random);
 

@@ -120,6 +120,23 @@ TEST(Simulation, MixedStreetsHoldEveryClassAndDifferFromSeedToSeed) {
   }
 }
 
+TEST(Simulation, AmongPeopleSomebodyIsNearAndTheScannerIsInNobody) {
+  int near = 0;
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    auto run = simulation("among-people", seed, 30);
+    while (const auto frame = run.next_truth()) {
+      const Eigen::Vector3d sensor = (frame->ego.pose * run.ego_from_sensor()).translation_m;
+      for (const auto& object : frame->truth.objects) {
+        if (object.object_class != ObjectClass::kPedestrian) continue;
+        const double away = (object.position_m - sensor.head<2>()).norm();
+        EXPECT_GT(away, 0.4) << "seed " << seed;
+        near += away < 5;
+      }
+    }
+  }
+  EXPECT_GT(near, 50);
+}
+
 TEST(Simulation, TheSensorStandsAsHighAsIsAsked) {
   SimulateOptions options;
   options.height_m = 1.2;
