@@ -68,8 +68,8 @@ PassiveOutcome run_passive(const PassiveOptions& options, const SeedRange& seeds
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     part.solver_seconds.push_back(found->solver_seconds);
     part.columns.push_back(static_cast<double>(found->packing.columns()));
-    part.unproved = found->solution.proved ? 0 : 1;
-    part.worst_gap = found->solution.gap();
+    part.unproved = found->proved ? 0 : 1;
+    part.worst_gap = found->gap();
     part.score.add(recording->scans[0], found->fixes, places_of(*recording));
     if (posterior) count_sure(*recording, *found, part);
   });
