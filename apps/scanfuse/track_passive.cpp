@@ -91,17 +91,7 @@ Track as_track(const PassiveTrack& point) {
   return track;
 }
 
-StepResult as_step(const BearingScan& scan, const triangulate::PassiveStep& found) {
-  StepResult step;
-  step.stamp = scan.stamp;
-  step.frame = scan.scan;
-  step.sensor = "passive";
-  step.tracks.reserve(found.tracks.size());
-  for (const PassiveTrack& track : found.tracks) step.tracks.push_back(as_track(track));
-  return step;
-}
-
-struct PassiveOutcome {
+struct PassiveTrackOutcome {
   std::int64_t scans = 0;
   std::size_t bearings = 0;
   std::set<std::int64_t> confirmed;
@@ -154,9 +144,9 @@ struct Sinks {
   }
 };
 
-Result<PassiveOutcome> follow(PassiveTracker& tracker, std::span<const BearingScan> scans,
+Result<PassiveTrackOutcome> follow(PassiveTracker& tracker, std::span<const BearingScan> scans,
                               Sinks* sinks, const CommonOptions& common) {
-  PassiveOutcome outcome;
+  PassiveTrackOutcome outcome;
   Progress progress(sinks ? "tracking" : "estimating offsets", common.quiet);
   for (const BearingScan& scan : scans) {
     if (interrupted) break;
@@ -179,7 +169,7 @@ Result<PassiveOutcome> follow(PassiveTracker& tracker, std::span<const BearingSc
 
 /// With offsets to estimate, twice: what the first run learnt is taken off in the second from its
 /// first scan on.
-Result<PassiveOutcome> follow_all(const PassiveScene& scene, const PassiveSettings& settings,
+Result<PassiveTrackOutcome> follow_all(const PassiveScene& scene, const PassiveSettings& settings,
                                   std::span<const BearingScan> scans, Sinks& sinks,
                                   const CommonOptions& common) {
   PassiveTracker tracker(scene, settings.track, settings.associate);
@@ -192,7 +182,7 @@ Result<PassiveOutcome> follow_all(const PassiveScene& scene, const PassiveSettin
   return follow(tracker, scans, &sinks, common);
 }
 
-std::string milli(const std::optional<double>& value) {
+std::string three_digits(const std::optional<double>& value) {
   return value ? fmt::format("{:.3f}", *value) : "-";
 }
 
@@ -200,14 +190,14 @@ report::ReportTable score_table(const evaluate::Evaluation& score) {
   return {"Against truth",
           {"MOTA", "identity switches", "IDF1", "HOTA", "GOSPA [m]", "position RMSE [m]",
            "velocity RMSE [m/s]", "median NEES"},
-          {{milli(score.clear.mota), fmt::format("{}", score.clear.identity_switches),
-            milli(score.identity.idf1), milli(score.hota.hota), milli(score.sets.gospa_m),
-            milli(score.rmse.position_m), milli(score.rmse.velocity_m_per_s),
-            milli(score.consistency.nees_median)}}};
+          {{three_digits(score.clear.mota), fmt::format("{}", score.clear.identity_switches),
+            three_digits(score.identity.idf1), three_digits(score.hota.hota), three_digits(score.sets.gospa_m),
+            three_digits(score.rmse.position_m), three_digits(score.rmse.velocity_m_per_s),
+            three_digits(score.consistency.nees_median)}}};
 }
 
 Result<void> write_report(const PassiveTrackReport& report, const TrackRequest& request,
-                          const PassiveOutcome& outcome) {
+                          const PassiveTrackOutcome& outcome) {
   auto file = io::AtomicFile::create(request.report);
   if (!file) return tl::unexpected(file.error());
   std::vector<report::ReportTable> tables;
@@ -218,7 +208,7 @@ Result<void> write_report(const PassiveTrackReport& report, const TrackRequest& 
 
 /// Compares with truth, and moves all files into place.
 Result<void> finish(Sinks& sinks, const TrackRequest& request, const PassiveSettings& settings,
-                    PassiveOutcome& outcome) {
+                    PassiveTrackOutcome& outcome) {
   if (auto done = sinks.scorer.finish(outcome.diagnostics); !done) return done;
   if (const auto score = sinks.scorer.score()) outcome.score = score->all;
   for (auto& writer : sinks.writers) {
@@ -231,7 +221,7 @@ Result<void> finish(Sinks& sinks, const TrackRequest& request, const PassiveSett
   return write_configurations(request.outputs, settings.views());
 }
 
-nlohmann::json passive_json(const TrackRequest& request, const PassiveOutcome& outcome,
+nlohmann::json passive_json(const TrackRequest& request, const PassiveTrackOutcome& outcome,
                             const PassiveScene& scene) {
   nlohmann::json biases = nlohmann::json::array();
   for (std::size_t s = 0; s < outcome.biases.size(); ++s) {
@@ -258,7 +248,7 @@ nlohmann::json passive_json(const TrackRequest& request, const PassiveOutcome& o
   return json;
 }
 
-void print_passive(const TrackRequest& request, const PassiveOutcome& outcome,
+void print_passive(const TrackRequest& request, const PassiveTrackOutcome& outcome,
                    const PassiveScene& scene) {
   fmt::print("{}\n", request.input);
   fmt::print("  {:<18} {}\n", "scans", outcome.scans);
@@ -276,8 +266,8 @@ void print_passive(const TrackRequest& request, const PassiveOutcome& outcome,
   if (outcome.score) {
     const auto& score = *outcome.score;
     fmt::print("  {:<18} MOTA {}, {} identity switches, position RMSE {} m\n", "against truth",
-               milli(score.clear.mota), score.clear.identity_switches,
-               milli(score.rmse.position_m));
+               three_digits(score.clear.mota), score.clear.identity_switches,
+               three_digits(score.rmse.position_m));
   }
   for (const auto& path : request.outputs) fmt::print("  {:<18} {}\n", "wrote", path);
   if (!request.report.empty()) fmt::print("  {:<18} {}\n", "wrote", request.report);
@@ -296,6 +286,16 @@ Result<Sinks> open_sinks(const TrackRequest& request, const PassiveScene& scene,
 }
 
 }  // namespace
+
+StepResult as_step(const BearingScan& scan, const triangulate::PassiveStep& found) {
+  StepResult step;
+  step.stamp = scan.stamp;
+  step.frame = scan.scan;
+  step.sensor = "passive";
+  step.tracks.reserve(found.tracks.size());
+  for (const PassiveTrack& track : found.tracks) step.tracks.push_back(as_track(track));
+  return step;
+}
 
 int run_track_passive(const TrackRequest& request, const CommonOptions& common) {
   const auto settings = settings_of(request);

@@ -10,7 +10,6 @@ namespace scanfuse::triangulate {
 namespace {
 
 constexpr double kSure = 7;  ///< nats: a bearing that gains less is left out as well
-const double kLog2Pi = std::log(2 * kPi);
 
 using Nodes = std::vector<std::int32_t>;
 
@@ -78,7 +77,7 @@ class ContestedGrower {
     if (std::holds_alternative<EvidenceCost>(growth_.cost)) {
       const bool looks = in_field_of_view(growth_.scene.sensors[s], at.position_m);
       return sensor.log_detected - sensor.log_clutter - (looks ? sensor.log_missed : 0) -
-             (more.dimensions() * kLog2Pi + std::log(fit->determinant) + fit->distance) / 2;
+             (more.dimensions() * kLogTwoPi + std::log(fit->determinant) + fit->distance) / 2;
     }
     std::vector<LineOfSight> all = lines_;
     all.insert(std::ranges::upper_bound(all, more.sensor, {}, &LineOfSight::sensor), more);

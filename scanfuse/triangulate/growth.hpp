@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <span>
 #include <vector>
@@ -11,6 +12,7 @@
 namespace scanfuse::triangulate {
 
 inline constexpr double kSlack = 1.2;  ///< first gates are linear: what passes is judged again
+inline const double kLogTwoPi = std::log(2 * kPi);
 
 /// chi-square quantiles by degrees of freedom, 0 for none.
 class Gate {

@@ -14,7 +14,6 @@ namespace {
 
 using Joined = PairGraph::Joined;
 constexpr double kMargin = 2;  ///< nats: for places near the edge of a field of view
-const double kLog2Pi = std::log(2 * kPi);
 
 /// ln rho + ln|2 pi P| / 2 (for costs that count them) + what all sensors that look there charge
 /// for missing it.
@@ -27,10 +26,10 @@ double base_of(const Location& at, const GrowthScene& growth) {
     }
   }
   if (!std::holds_alternative<EvidenceCost>(growth.cost)) return base;
-  base += prior.log_intensity + 1.5 * kLog2Pi + std::log(at.covariance_m2.determinant()) / 2;
+  base += prior.log_intensity + 1.5 * kLogTwoPi + std::log(at.covariance_m2.determinant()) / 2;
   if (prior.flat) {
     base += std::log(prior.volume_m[2][1] - prior.volume_m[2][0]) -
-            (kLog2Pi + std::log(prior.place.covariance(2, 2))) / 2;
+            (kLogTwoPi + std::log(prior.place.covariance(2, 2))) / 2;
   }
   return base;
 }
