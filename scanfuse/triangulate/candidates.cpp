@@ -86,7 +86,7 @@ class Grower {
   }
 
   [[nodiscard]] bool agrees(const LineOfSight& line, const Location& at) const {
-    const auto fit = fit_of(line, at);
+    const auto fit = agreement_of(line, at);
     return fit && fit->distance <= kSlack * search_.gate.of(line.dimensions());
   }
 

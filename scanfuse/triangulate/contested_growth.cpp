@@ -70,7 +70,7 @@ class ContestedGrower {
   [[nodiscard]] double gain(std::int32_t node, const Location& at) const {
     constexpr double kNone = -1e9;
     const LineOfSight& more = line(node);
-    const auto fit = fit_of(more, at);
+    const auto fit = agreement_of(more, at);
     if (!fit || fit->distance > kSlack * growth_.gate.of(more.dimensions())) return kNone;
     const auto s = static_cast<std::size_t>(more.sensor);
     const SensorPrior& sensor = growth_.prior.sensors[s];
@@ -96,7 +96,7 @@ class ContestedGrower {
     const LineOfSight& more = line(next);
     if (steps_left_ <= 0) return;
     if (at != nullptr) {
-      const auto fit = fit_of(more, *at);
+      const auto fit = agreement_of(more, *at);
       if (!fit || fit->distance > kSlack * growth_.gate.of(more.dimensions())) return;
     }
     nodes_.push_back(next);

@@ -27,7 +27,7 @@ std::optional<ClosestPoints> meeting(const LineOfSight& a, const LineOfSight& b,
   return met;
 }
 
-std::optional<Fit> fit_of(const LineOfSight& line, const Location& at) {
+std::optional<Agreement> agreement_of(const LineOfSight& line, const Location& at) {
   const auto seen = sight(line, at.position_m);
   if (!seen) return std::nullopt;
   Eigen::Matrix2d spread =
@@ -36,7 +36,7 @@ std::optional<Fit> fit_of(const LineOfSight& line, const Location& at) {
   spread(1, 1) += line.tells_elevation() ? line.sigma_up_rad * line.sigma_up_rad : 1;
   const Eigen::Vector2d& d = seen->offset_rad;
   const double determinant = spread.determinant();
-  return Fit{(d.x() * d.x() * spread(1, 1) - 2 * d.x() * d.y() * spread(0, 1) +
+  return Agreement{(d.x() * d.x() * spread(1, 1) - 2 * d.x() * d.y() * spread(0, 1) +
               d.y() * d.y() * spread(0, 0)) /
                  determinant,
              determinant};

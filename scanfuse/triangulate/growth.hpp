@@ -33,11 +33,11 @@ class Gate {
                                                    double sigmas);
 
 /// A line against the place that others give: d' (R + J P J')^-1 d and |R + J P J'|.
-struct Fit {
+struct Agreement {
   double distance = 0;
   double determinant = 0;  ///< of the first row alone for azimuth only
 };
-[[nodiscard]] std::optional<Fit> fit_of(const LineOfSight& line, const Location& at);
+[[nodiscard]] std::optional<Agreement> agreement_of(const LineOfSight& line, const Location& at);
 
 /// Of the chi-square of those lines at their most likely place, 1 at least.
 [[nodiscard]] int degrees_of_freedom(std::span<const LineOfSight> lines, const ScenePrior& prior);

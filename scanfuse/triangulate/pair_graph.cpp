@@ -174,7 +174,7 @@ bool nearly_one_hypothesis(std::vector<LineOfSight> lines, const GrowthScene& gr
     if (at && at->chi2 <= growth.gate.of(degrees_of_freedom(lines, growth.prior))) return true;
     if (!at) return false;
     const auto off = [&](const LineOfSight& line) {
-      const auto fit = fit_of(line, *at);
+      const auto fit = agreement_of(line, *at);
       return fit ? fit->distance : std::numeric_limits<double>::infinity();
     };
     const auto worst = std::ranges::max_element(lines, {}, off);
