@@ -14,7 +14,7 @@ struct CandidateOptions {
   double gate_probability = 0.9999;
   int most_candidates = 5000000;
   int most_pairs = 20000000;
-  int many_sensors = 7;
+  int many_sensors = 13;
   int steps_per_bearing = 20000;
 
   static constexpr auto fields() {

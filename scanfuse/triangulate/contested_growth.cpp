@@ -58,13 +58,26 @@ class ContestedGrower {
 
   /// Whether it must not be left out where it gains.
   [[nodiscard]] bool binds(std::int32_t node) const {
-    return leave_out_ == LeaveOut::kNothing ||
-           graph_.contested[static_cast<std::size_t>(node)] == 0;
+    return leave_out_ == LeaveOut::kNothing || !team(node).empty();
+  }
+  [[nodiscard]] const Nodes& team(std::int32_t node) const {
+    return graph_.team[static_cast<std::size_t>(node)];
+  }
+
+  /// Whether ascending nodes are all of one team with `node`: then so is whatever is made of them.
+  [[nodiscard]] bool all_in_team(const Nodes& nodes, std::int32_t node) const {
+    return leave_out_ == LeaveOut::kNothing || std::ranges::includes(team(node), nodes);
   }
 
   /// Whether it would lift the weight of what lines_ holds for sure.
   [[nodiscard]] bool is_missed(std::int32_t node, const Location& at) const {
-    return gain(node, at) >= (leave_out_ == LeaveOut::kNothing ? 0 : kSure);
+    return all_in_team(nodes_, node) &&
+           gain(node, at) >= (leave_out_ == LeaveOut::kNothing ? 0 : kSure);
+  }
+
+  [[nodiscard]] bool agrees(std::int32_t node, const Location& at) const {
+    const auto fit = agreement_of(line(node), at);
+    return fit && fit->distance <= kSlack * growth_.gate.of(line(node).dimensions());
   }
 
   [[nodiscard]] double gain(std::int32_t node, const Location& at) const {
@@ -95,10 +108,6 @@ class ContestedGrower {
   void take(std::int32_t next, const Location* at, const Nodes& allowed, const Nodes& skipped) {
     const LineOfSight& more = line(next);
     if (steps_left_ <= 0) return;
-    if (at != nullptr) {
-      const auto fit = agreement_of(more, *at);
-      if (!fit || fit->distance > kSlack * growth_.gate.of(more.dimensions())) return;
-    }
     nodes_.push_back(next);
     lines_.push_back(more);
     if (const auto place = locate(at)) {
@@ -107,7 +116,9 @@ class ContestedGrower {
         if (n > next) later.push_back(n);
         if (n < next && binds(n)) passed.push_back(n);
       }
-      extend(*place, joined_to(graph_, next, later), joined_to(graph_, next, passed));
+      Nodes fitting = joined_to(graph_, next, later);
+      std::erase_if(fitting, [&](std::int32_t n) { return !agrees(n, *place); });
+      extend(*place, fitting, joined_to(graph_, next, passed));
     }
     nodes_.pop_back();
     lines_.pop_back();
@@ -124,20 +135,20 @@ class ContestedGrower {
   }
 
   /// Keeps what is held unless a binding node is missing, and grows it. Nothing grows where all
-  /// that could come is joined to a node that is missing: it would be missing there too.
+  /// that could come is of a team with a node that is missing: it would be missing there too.
   void extend(const Location& at, const Nodes& allowed, const Nodes& skipped) {
     bool complete = true;
     for (const std::int32_t n : skipped) {
       if (!is_missed(n, at)) continue;
       complete = false;
-      if (all_joined(allowed, n)) return;
+      if (all_in_team(allowed, n)) return;
     }
     std::int32_t last_sensor = graph_.lines.back().sensor;
     for (const std::int32_t next : allowed) {
       if (line(next).sensor > last_sensor) break;
       if (binds(next) && is_missed(next, at)) {
         complete = false;
-        if (all_later_joined(allowed, next)) last_sensor = line(next).sensor;
+        if (all_later_in_team(allowed, next)) last_sensor = line(next).sensor;
       }
       take(next, &at, allowed, skipped);
     }
@@ -146,14 +157,12 @@ class ContestedGrower {
     if (w > 0) keep(w);
   }
 
-  [[nodiscard]] bool all_joined(const Nodes& nodes, std::int32_t node) const {
-    return leave_out_ == LeaveOut::kNothing || joined_to(graph_, node, nodes).size() == nodes.size();
-  }
-  [[nodiscard]] bool all_later_joined(const Nodes& nodes, std::int32_t node) const {
-    if (leave_out_ == LeaveOut::kNothing) return true;
-    return std::ranges::all_of(nodes, [&](std::int32_t n) {
-      return line(n).sensor <= line(node).sensor || graph_.adjacent(node, n);
+  [[nodiscard]] bool all_later_in_team(const Nodes& nodes, std::int32_t node) const {
+    Nodes later;
+    std::ranges::copy_if(nodes, std::back_inserter(later), [&](std::int32_t n) {
+      return line(n).sensor > line(node).sensor;
     });
+    return all_in_team(later, node);
   }
 
   void keep(double weight) {

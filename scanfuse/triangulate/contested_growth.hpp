@@ -18,9 +18,10 @@ struct GrownColumns {
 /// Hypotheses of many sensors. Every subset of a target's bearings is a hypothesis too, 2^S of
 /// them; nearly all are of no use. In an optimum a hypothesis leaves out a bearing b that would
 /// lift its weight only where another one of the optimum holds b. Where all hypotheses with b are
-/// parts of one (b is not contested, PairGraph), that other one is a part of the same target, and
-/// the two together weigh more than apart: one target less to believe in, and its misses. So
-/// bearings are left out where they are contested, or where they gain less than kSure nats.
+/// parts of one (its team, PairGraph), that other one is a part of the same target, and the two
+/// together weigh more than apart: one target less to believe in, and its misses. So hypotheses
+/// within a team hold all of it, but for bearings that gain less than kSure nats. That is a rule
+/// and no proof: gains are judged before the hypothesis is complete.
 ///
 /// From every first bearing `most_steps` places are looked for; where that is not enough, again
 /// without leaving out any that gains, and `cut` says that the columns may lack the best.

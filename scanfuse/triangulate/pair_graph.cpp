@@ -166,41 +166,39 @@ void find_components(PairGraph& graph) {
   for (std::size_t a = 0; a < graph.size(); ++a) parent[a] = root(static_cast<std::int32_t>(a));
 }
 
-/// Whether the first line and others, all but a quarter, are one hypothesis.
-bool nearly_one_hypothesis(std::vector<LineOfSight> lines, const GrowthScene& growth) {
-  const std::size_t fewest = std::max<std::size_t>(2, lines.size() - lines.size() / 4);
-  while (lines.size() >= fewest) {
+/// The node and its neighbours, one of them left out if need be, where they are one hypothesis.
+std::vector<std::int32_t> team_of(const PairGraph& graph, std::size_t node,
+                                  const GrowthScene& growth) {
+  std::vector<std::int32_t> team{static_cast<std::int32_t>(node)};
+  std::int32_t sensor = -1;
+  for (const Joined& j : graph.joined[node]) {
+    const std::int32_t other = graph.lines[static_cast<std::size_t>(j.node)].sensor;
+    if (other == sensor) return {};
+    sensor = other;
+    team.push_back(j.node);
+  }
+  constexpr std::size_t kLeast = 4;  // to tell who of them is off
+  for (int left_out = 0; left_out < 2 && team.size() > 1; ++left_out) {
+    std::vector<LineOfSight> lines;
+    for (const auto n : team) lines.push_back(graph.lines[static_cast<std::size_t>(n)]);
     const auto at = most_likely(lines, growth.prior.height());
-    if (at && at->chi2 <= growth.gate.of(degrees_of_freedom(lines, growth.prior))) return true;
-    if (!at) return false;
+    if (!at) return {};
+    if (at->chi2 <= growth.gate.of(degrees_of_freedom(lines, growth.prior))) {
+      std::ranges::sort(team);
+      return team;
+    }
     const auto off = [&](const LineOfSight& line) {
       const auto fit = agreement_of(line, *at);
       return fit ? fit->distance : std::numeric_limits<double>::infinity();
     };
-    const auto worst = std::ranges::max_element(lines, {}, off);
-    if (worst == lines.begin()) return false;
-    lines.erase(worst);
+    const auto worst = std::ranges::max_element(lines, {}, off) - lines.begin();
+    if (worst == 0 || lines.size() <= kLeast) return {};
+    team.erase(team.begin() + worst);
   }
-  return false;
-}
-
-bool is_contested(const PairGraph& graph, std::size_t node, const GrowthScene& growth) {
-  const auto& joined = graph.joined[node];
-  std::vector<LineOfSight> lines{graph.lines[node]};
-  for (std::size_t k = 0; k < joined.size(); ++k) {
-    lines.push_back(graph.lines[static_cast<std::size_t>(joined[k].node)]);
-    if (k > 0 && lines[k].sensor == lines[k + 1].sensor) return true;
-  }
-  return joined.size() > 1 && !nearly_one_hypothesis(std::move(lines), growth);
+  return {};
 }
 
 }  // namespace
-
-bool PairGraph::adjacent(std::int32_t a, std::int32_t b) const {
-  const auto& list = joined[static_cast<std::size_t>(a)];
-  const auto at = std::ranges::lower_bound(list, b, {}, &Joined::node);
-  return at != list.end() && at->node == b;
-}
 
 PairGraph pair_graph(std::span<const LinesOfSensor> sensors,
                      const std::vector<std::vector<EpipolarIndex>>& pairs,
@@ -211,10 +209,9 @@ PairGraph pair_graph(std::span<const LinesOfSensor> sensors,
   while (drop_pairs(graph, threads)) {
   }
   find_components(graph);
-  graph.contested.resize(graph.size());
-  parallel_for(graph.size(), threads, [&](std::size_t node) {
-    graph.contested[node] = is_contested(graph, node, growth) ? 1 : 0;
-  });
+  graph.team.resize(graph.size());
+  parallel_for(graph.size(), threads,
+               [&](std::size_t node) { graph.team[node] = team_of(graph, node, growth); });
   return graph;
 }
 

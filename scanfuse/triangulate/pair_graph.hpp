@@ -40,12 +40,12 @@ struct PairGraph {
   std::vector<std::int32_t> places;        ///< by node: in BearingScan::bearings
   std::vector<double> worth;               ///< by node
   std::vector<std::vector<Joined>> joined; ///< by node, ascending
-  /// By node: its neighbours are not all of one hypothesis, so that it may be wanted twice.
-  std::vector<char> contested;
+  /// By node: it and all its neighbours (but one at most) where these are one hypothesis,
+  /// ascending; else empty: the node is contested, it may be wanted twice.
+  std::vector<std::vector<std::int32_t>> team;
   std::vector<std::int32_t> component;     ///< by node: the smallest node that it is linked to
 
   [[nodiscard]] std::size_t size() const { return lines.size(); }
-  [[nodiscard]] bool adjacent(std::int32_t a, std::int32_t b) const;
 };
 
 [[nodiscard]] PairGraph pair_graph(std::span<const LinesOfSensor> sensors,
