@@ -56,7 +56,8 @@ void add_crowds(std::vector<BenchRow>& rows, const SeedRange& seeds, int threads
       {"the same, 10 mrad", passive_crowd(0.9, 0.01), 0.81},
       {"the same, 1 to 20 mrad", unequal(passive_crowd(0.9, 0.001)), 0.69}};
   for (const auto& [name, options, f1] : scenes) {
-    const auto best = run_passive(options, seeds, threads, CostMethod::kEvidence, {.posterior = true});
+    const auto best =
+        run_passive(options, seeds, threads, CostMethod::kEvidence, {.posterior = true});
     const bool first = f1 == 0.91;
     rows.push_back({fmt::format("{}: F1", name), best.score.f1(), "", at_least(f1)});
     rows.push_back({fmt::format("{}: ghosts", name), best.score.ghosts_per_scene(), "a scene",

@@ -47,7 +47,8 @@ void add_growth_row(std::vector<BenchRow>& rows, int sensors, int targets, std::
   options.sensors = sensors;
   options.targets = targets;
   const auto outcome = run_passive(options, {seed, 1}, 1, CostMethod::kEvidence);
-  const auto name = fmt::format("{} targets x {} sensors, 1 mrad, 5 false alarms", targets, sensors);
+  const auto name =
+      fmt::format("{} targets x {} sensors, 1 mrad, 5 false alarms", targets, sensors);
   rows.push_back({name + ": whole scan", median_of(outcome.seconds), "s"});
   rows.push_back({name + ": hypotheses", median_of(outcome.columns), ""});
   rows.push_back({name + ": gap", outcome.worst_gap, "", sensors > 2 ? at_most(0) : Target{}});

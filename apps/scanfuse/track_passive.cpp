@@ -145,7 +145,7 @@ struct Sinks {
 };
 
 Result<PassiveTrackOutcome> follow(PassiveTracker& tracker, std::span<const BearingScan> scans,
-                              Sinks* sinks, const CommonOptions& common) {
+                                   Sinks* sinks, const CommonOptions& common) {
   PassiveTrackOutcome outcome;
   Progress progress(sinks ? "tracking" : "estimating offsets", common.quiet);
   for (const BearingScan& scan : scans) {
@@ -170,8 +170,8 @@ Result<PassiveTrackOutcome> follow(PassiveTracker& tracker, std::span<const Bear
 /// With offsets to estimate, twice: what the first run learnt is taken off in the second from its
 /// first scan on.
 Result<PassiveTrackOutcome> follow_all(const PassiveScene& scene, const PassiveSettings& settings,
-                                  std::span<const BearingScan> scans, Sinks& sinks,
-                                  const CommonOptions& common) {
+                                       std::span<const BearingScan> scans, Sinks& sinks,
+                                       const CommonOptions& common) {
   PassiveTracker tracker(scene, settings.track, settings.associate);
   if (settings.track.estimate_bias) {
     PassiveTracker first(scene, settings.track, settings.associate);
@@ -187,13 +187,14 @@ std::string three_digits(const std::optional<double>& value) {
 }
 
 report::ReportTable score_table(const evaluate::Evaluation& score) {
-  return {"Against truth",
-          {"MOTA", "identity switches", "IDF1", "HOTA", "GOSPA [m]", "position RMSE [m]",
-           "velocity RMSE [m/s]", "median NEES"},
-          {{three_digits(score.clear.mota), fmt::format("{}", score.clear.identity_switches),
-            three_digits(score.identity.idf1), three_digits(score.hota.hota), three_digits(score.sets.gospa_m),
-            three_digits(score.rmse.position_m), three_digits(score.rmse.velocity_m_per_s),
-            three_digits(score.consistency.nees_median)}}};
+  return {
+      "Against truth",
+      {"MOTA", "identity switches", "IDF1", "HOTA", "GOSPA [m]", "position RMSE [m]",
+       "velocity RMSE [m/s]", "median NEES"},
+      {{three_digits(score.clear.mota), fmt::format("{}", score.clear.identity_switches),
+        three_digits(score.identity.idf1), three_digits(score.hota.hota),
+        three_digits(score.sets.gospa_m), three_digits(score.rmse.position_m),
+        three_digits(score.rmse.velocity_m_per_s), three_digits(score.consistency.nees_median)}}};
 }
 
 Result<void> write_report(const PassiveTrackReport& report, const TrackRequest& request,

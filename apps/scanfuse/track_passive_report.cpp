@@ -71,8 +71,8 @@ void PassiveTrackReport::add(const BearingScan& scan, const triangulate::Passive
   confirmed_.points.emplace_back(time_s, confirmed);
   tentative_.points.emplace_back(time_s, all - confirmed);
   bearings_.points.emplace_back(time_s, static_cast<double>(scan.bearings.size()));
-  clutter_.points.emplace_back(
-      time_s, static_cast<double>(std::ranges::count(step.track_of_bearing, -1)));
+  clutter_.points.emplace_back(time_s,
+                               static_cast<double>(std::ranges::count(step.track_of_bearing, -1)));
 }
 
 void PassiveTrackReport::follow(const BearingScan& scan, const triangulate::PassiveStep& step,
@@ -113,11 +113,10 @@ ReportTable PassiveTrackReport::lives() const {
   std::size_t all = 0;
   for (const auto& [id, life] : lives_) {
     if (!life.confirmed || ++all > kRows) continue;
-    table.rows.push_back(
-        {fmt::format("{}", id), fmt::format("{}", life.first_scan),
-         fmt::format("{}", life.last_scan), fmt::format("{:.2f}", life.first_s),
-         fmt::format("{:.2f}", life.last_s), fmt::format("{}", life.scans_seen),
-         fmt::format("{}", life.bearings), fmt::format("{:.1f}", life.sigma_m)});
+    table.rows.push_back({fmt::format("{}", id), fmt::format("{}", life.first_scan),
+                          fmt::format("{}", life.last_scan), fmt::format("{:.2f}", life.first_s),
+                          fmt::format("{:.2f}", life.last_s), fmt::format("{}", life.scans_seen),
+                          fmt::format("{}", life.bearings), fmt::format("{:.1f}", life.sigma_m)});
   }
   if (all > kRows) table.note = fmt::format("The first {} of {}.", kRows, all);
   return table;
@@ -125,9 +124,9 @@ ReportTable PassiveTrackReport::lives() const {
 
 std::string PassiveTrackReport::page(const std::string& title,
                                      const std::vector<ReportTable>& tables) const {
-  const std::string note = fmt::format(
-      "Tracks of {} passive sensors. Scans: {}{}.", scene_.sensors.size(), count_,
-      stride_ > 1 ? fmt::format(", one in {} shown", stride_) : "");
+  const std::string note =
+      fmt::format("Tracks of {} passive sensors. Scans: {}{}.", scene_.sensors.size(), count_,
+                  stride_ > 1 ? fmt::format(", one in {} shown", stride_) : "");
   std::vector<ReportTable> all = tables;
   all.push_back(lives());
   return report::point_track_page(

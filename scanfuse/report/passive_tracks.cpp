@@ -45,8 +45,8 @@ std::string track_data(const PointTrack& t) {
   const auto& P = t.covariance_m2;
   return fmt::format("[{},{},{},{},{},{},{},{},{},{},{}]", t.id, static_cast<int>(t.status),
                      triple(t.position_m, 2), triple(t.velocity_m_per_s, 2), number(P(0, 0), 2),
-                     number(P(0, 1), 2), number(P(0, 2), 2), number(P(1, 1), 2),
-                     number(P(1, 2), 2), number(P(2, 2), 2), number(t.existence_probability, 4));
+                     number(P(0, 1), 2), number(P(0, 2), 2), number(P(1, 1), 2), number(P(1, 2), 2),
+                     number(P(2, 2), 2), number(t.existence_probability, 4));
 }
 
 std::string frame_data(const PointTrackFrame& frame) {

@@ -97,8 +97,7 @@ Result<WeighedHypotheses> weigh_hypotheses(const BearingScan& scan, const Passiv
 double bound_on_all(const WeighedHypotheses& weighed, const associate::PackingSolution& solution) {
   std::vector<char> cut(weighed.packing.rows(), 0);
   for (const std::int32_t row : weighed.cut) cut[static_cast<std::size_t>(row)] = 1;
-  const double covered =
-      std::accumulate(weighed.cut_prices.begin(), weighed.cut_prices.end(), 0.0);
+  const double covered = std::accumulate(weighed.cut_prices.begin(), weighed.cut_prices.end(), 0.0);
   double known = 0;
   for (const auto& component : solution.components) {
     if (cut[static_cast<std::size_t>(component.rows.front())]) known += component.dual;
@@ -106,9 +105,7 @@ double bound_on_all(const WeighedHypotheses& weighed, const associate::PackingSo
   return solution.dual + std::max(covered - known, 0.0);
 }
 
-double ScanAssociation::gap() const {
-  return dual > 0 ? (dual - solution.primal) / dual : 0;
-}
+double ScanAssociation::gap() const { return dual > 0 ? (dual - solution.primal) / dual : 0; }
 
 Result<associate::PackingSolution> solve(const associate::Packing& packing,
                                          const AssociationOptions& options, int threads) {

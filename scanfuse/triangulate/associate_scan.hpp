@@ -44,7 +44,7 @@ struct ScanAssociation {
   associate::PackingSolution solution;
   /// solution.dual, and more where hypotheses of many sensors had to be left out unproved.
   double dual = 0;
-  bool proved = false;  ///< the solution is, and none had to be
+  bool proved = false;           ///< the solution is, and none had to be
   std::size_t cut_bearings = 0;  ///< around which some had to be
   EstimatedPrior prior;
   std::int64_t pairs_tried = 0;

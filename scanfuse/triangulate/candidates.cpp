@@ -249,7 +249,7 @@ Candidates find_candidates(const BearingScan& scan, const PassiveScene& scene,
     all.too_many = too_many_pairs(search, options.most_pairs);
     if (!all.too_many) {
       all = leaves_out_subsets(search, options) ? grow_contested(search, options, threads)
-                                              : grow_all(search, threads);
+                                                : grow_all(search, threads);
     }
     all.gate_probability = probability;
     all.too_many = all.too_many || search.too_many();

@@ -127,9 +127,8 @@ class ContestedGrower {
   std::optional<Location> locate(const Location* before) {
     --steps_left_;
     ++out_.steps;
-    auto at = before != nullptr
-                  ? most_likely(lines_, before->position_m, growth_.prior.height())
-                  : most_likely(lines_, growth_.prior.height());
+    auto at = before != nullptr ? most_likely(lines_, before->position_m, growth_.prior.height())
+                                : most_likely(lines_, growth_.prior.height());
     if (at && at->chi2 > growth_.gate.of(degrees_of_freedom(lines_, growth_.prior))) at.reset();
     return at;
   }
@@ -159,9 +158,8 @@ class ContestedGrower {
 
   [[nodiscard]] bool all_later_in_team(const Nodes& nodes, std::int32_t node) const {
     Nodes later;
-    std::ranges::copy_if(nodes, std::back_inserter(later), [&](std::int32_t n) {
-      return line(n).sensor > line(node).sensor;
-    });
+    std::ranges::copy_if(nodes, std::back_inserter(later),
+                         [&](std::int32_t n) { return line(n).sensor > line(node).sensor; });
     return all_in_team(later, node);
   }
 
@@ -190,8 +188,8 @@ void forget_columns(GrownColumns& columns) {
 
 }  // namespace
 
-GrownColumns grow_where_contested(const PairGraph& graph, const GrowthScene& growth,
-                                  int most_steps, int threads) {
+GrownColumns grow_where_contested(const PairGraph& graph, const GrowthScene& growth, int most_steps,
+                                  int threads) {
   using LeaveOut = ContestedGrower::LeaveOut;
   std::vector<GrownColumns> parts(graph.size());
   std::vector<char> cut(graph.size(), 0);  // by component

@@ -11,8 +11,8 @@ struct GrownColumns {
   std::vector<std::size_t> starts{0};
   std::vector<std::int32_t> members;  ///< places in BearingScan::bearings
   std::vector<double> weights;
-  std::vector<char> cut;      ///< by node: hypotheses of its component were left out unproved
-  std::int64_t steps = 0;     ///< places looked for
+  std::vector<char> cut;   ///< by node: hypotheses of its component were left out unproved
+  std::int64_t steps = 0;  ///< places looked for
 };
 
 /// Hypotheses of many sensors. Every subset of a target's bearings is a hypothesis too, 2^S of

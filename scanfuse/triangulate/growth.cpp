@@ -37,9 +37,9 @@ std::optional<Agreement> agreement_of(const LineOfSight& line, const Location& a
   const Eigen::Vector2d& d = seen->offset_rad;
   const double determinant = spread.determinant();
   return Agreement{(d.x() * d.x() * spread(1, 1) - 2 * d.x() * d.y() * spread(0, 1) +
-              d.y() * d.y() * spread(0, 0)) /
-                 determinant,
-             determinant};
+                    d.y() * d.y() * spread(0, 0)) /
+                       determinant,
+                   determinant};
 }
 
 int degrees_of_freedom(std::span<const LineOfSight> lines, const ScenePrior& prior) {

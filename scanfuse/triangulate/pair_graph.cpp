@@ -131,8 +131,7 @@ bool drop_pairs(PairGraph& graph, int threads) {
   parallel_for(graph.size(), threads, [&](std::size_t a) {
     const auto node = static_cast<std::int32_t>(a);
     for (const Joined& j : graph.joined[a]) {
-      const double bound = j.base + graph.worth[a] +
-                           graph.worth[static_cast<std::size_t>(j.node)] +
+      const double bound = j.base + graph.worth[a] + graph.worth[static_cast<std::size_t>(j.node)] +
                            support_of(graph, node, j.node);
       if (bound > -kMargin) kept[a].push_back(j);
     }

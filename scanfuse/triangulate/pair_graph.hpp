@@ -36,14 +36,14 @@ struct PairGraph {
     std::int32_t node = 0;
     double base = 0;
   };
-  std::vector<LineOfSight> lines;          ///< by node
-  std::vector<std::int32_t> places;        ///< by node: in BearingScan::bearings
-  std::vector<double> worth;               ///< by node
-  std::vector<std::vector<Joined>> joined; ///< by node, ascending
+  std::vector<LineOfSight> lines;           ///< by node
+  std::vector<std::int32_t> places;         ///< by node: in BearingScan::bearings
+  std::vector<double> worth;                ///< by node
+  std::vector<std::vector<Joined>> joined;  ///< by node, ascending
   /// By node: it and all its neighbours (but one at most) where these are one hypothesis,
   /// ascending; else empty: the node is contested, it may be wanted twice.
   std::vector<std::vector<std::int32_t>> team;
-  std::vector<std::int32_t> component;     ///< by node: the smallest node that it is linked to
+  std::vector<std::int32_t> component;  ///< by node: the smallest node that it is linked to
 
   [[nodiscard]] std::size_t size() const { return lines.size(); }
 };

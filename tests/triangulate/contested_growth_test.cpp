@@ -36,8 +36,8 @@ ScanAssociation associated(const simulate::PassiveRecording& scene, int many_sen
 TEST(ContestedGrowth, LosesNoOptimum) {
   int fewer = 0;
   for (const auto& [targets, sensors, noise_rad, spacing_m] :
-       {std::tuple{10, 7, 0.003, 0.0}, std::tuple{15, 4, 0.005, 0.0}, std::tuple{4, 6, 0.005, 300.0},
-        std::tuple{3, 6, 0.01, 500.0}}) {
+       {std::tuple{10, 7, 0.003, 0.0}, std::tuple{15, 4, 0.005, 0.0},
+        std::tuple{4, 6, 0.005, 300.0}, std::tuple{3, 6, 0.01, 500.0}}) {
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
       const auto scene = scene_of(targets, sensors, noise_rad, seed, spacing_m);
       const auto all = associated(scene, 65), kept = associated(scene, 3);
