@@ -158,8 +158,8 @@ void find_components(PairGraph& graph) {
   };
   for (std::size_t a = 0; a < graph.size(); ++a) {
     for (const Joined& j : graph.joined[a]) {
-      const auto [low, high] = std::minmax(root(static_cast<std::int32_t>(a)), root(j.node));
-      parent[static_cast<std::size_t>(high)] = low;
+      const std::int32_t one = root(static_cast<std::int32_t>(a)), other = root(j.node);
+      parent[static_cast<std::size_t>(std::max(one, other))] = std::min(one, other);
     }
   }
   for (std::size_t a = 0; a < graph.size(); ++a) parent[a] = root(static_cast<std::int32_t>(a));
