@@ -15,7 +15,7 @@ struct CandidateOptions {
   int most_candidates = 5000000;
   int most_pairs = 20000000;
   int many_sensors = 13;
-  int steps_per_bearing = 20000;
+  int steps_per_bearing = 1000;
 
   static constexpr auto fields() {
     using O = CandidateOptions;
