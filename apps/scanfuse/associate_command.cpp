@@ -132,9 +132,9 @@ nlohmann::json as_json(const BearingScan& scan, const ScanAssociation& found, do
   return {{"scan", scan.scan},
           {"targets", found.fixes.size()},
           {"primal", found.solution.primal},
-          {"dual", found.solution.dual},
-          {"gap", found.solution.gap()},
-          {"proved", found.solution.proved},
+          {"dual", found.dual},
+          {"gap", found.gap()},
+          {"proved", found.proved},
           {"columns", found.packing.columns()},
           {"components", found.solution.components.size()},
           {"seconds", seconds}};
@@ -174,6 +174,9 @@ void note_oddities(const BearingScan& scan, const ScanAssociation& found,
   }
   if (found.gate_probability < options.candidates.gate_probability) {
     diagnostics.note("too many hypotheses, gate narrowed", where);
+  }
+  if (found.cut_bearings > 0) {
+    diagnostics.note("too many hypotheses of many sensors, some left out; the gap tells", where);
   }
   if (found.solution.diagnostics.out_of_time) diagnostics.note("solver out of time", where);
 }

@@ -214,8 +214,8 @@ void AssociationReport::add(const BearingScan& scan, const ScanAssociation& foun
                            fmt::format("{}", found.fixes.size()),
                            fmt::format("{}", std::ranges::count(found.target_of_bearing, -1)),
                            fmt::format("{}", found.packing.columns()),
-                           fmt::format("{:.4f}", s.primal), fmt::format("{:.4f}", s.dual),
-                           fmt::format("{:.3g}", s.gap()), yes(s.proved),
+                           fmt::format("{:.4f}", s.primal), fmt::format("{:.4f}", found.dual),
+                           fmt::format("{:.3g}", found.gap()), yes(found.proved),
                            fmt::format("{:.4f}", seconds)});
   }
   if (place % stride_ != 0) return;

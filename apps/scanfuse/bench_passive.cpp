@@ -56,7 +56,8 @@ void add_crowds(std::vector<BenchRow>& rows, const SeedRange& seeds, int threads
       {"the same, 10 mrad", passive_crowd(0.9, 0.01), 0.81},
       {"the same, 1 to 20 mrad", unequal(passive_crowd(0.9, 0.001)), 0.69}};
   for (const auto& [name, options, f1] : scenes) {
-    const auto best = run_passive(options, seeds, threads, CostMethod::kEvidence, true);
+    const auto best =
+        run_passive(options, seeds, threads, CostMethod::kEvidence, {.posterior = true});
     const bool first = f1 == 0.91;
     rows.push_back({fmt::format("{}: F1", name), best.score.f1(), "", at_least(f1)});
     rows.push_back({fmt::format("{}: ghosts", name), best.score.ghosts_per_scene(), "a scene",
@@ -98,48 +99,6 @@ void add_locations(std::vector<BenchRow>& rows, const SeedRange& seeds) {
   rows.push_back({"one target, 5 mrad: NEES of the printed covariance", literal / seeds.count, ""});
 }
 
-void add_cameras(std::vector<BenchRow>& rows, std::uint64_t seed, int threads) {
-  const std::tuple<int, int, double> sizes[] = {{200, 10, 0.96}, {1000, 2, 0.93}, {2000, 1, 0.91}};
-  for (const auto& [points, scenes, f1] : sizes) {
-    PassiveOptions options = passive_crowd(0.9, 0.3 / 2500);  // 0.3 px of a lens of 2500 px
-    options.false_alarms = 0;
-    options.targets = points;
-    options.sensors = 4;
-    options.sensor_layout = simulate::SensorLayout::kCameras;
-    const auto outcome = run_passive(options, {seed, scenes}, threads, CostMethod::kEvidence);
-    const auto name = fmt::format("4 cameras, {} points", points);
-    rows.push_back({name + ": F1", outcome.score.f1(), "", at_least(f1)});
-    rows.push_back({name + ": whole scan, median", median_of(outcome.seconds), "s"});
-  }
-}
-
-void add_solver(std::vector<BenchRow>& rows, std::uint64_t seed) {
-  PassiveOptions line;
-  PassiveOptions grid = line;
-  grid.target_layout = simulate::TargetLayout::kGrid;
-  PassiveOptions thousand = passive_crowd(0.9, 0.001);
-  thousand.targets = 1000;
-  thousand.sensors = 5;
-  thousand.false_alarms = 10;
-  PassiveOptions more = thousand;
-  more.targets = 2000;
-  more.noise_rad = 0.0005;
-  const std::tuple<const char*, PassiveOptions, int, double> scenes[] = {
-      {"20 x 20 x 20 line", line, 50, 0.001},
-      {"20 x 20 x 20 grid", grid, 50, 0.005},
-      {"1000 targets x 5 sensors", thousand, 1, 2},
-      {"2000 targets x 5 sensors", more, 1, 10}};
-  for (const auto& [name, options, count, limit_s] : scenes) {
-    const auto outcome = run_passive(options, {seed, count}, 1, CostMethod::kEvidence);
-    rows.push_back({fmt::format("{}: not certified", name), static_cast<double>(outcome.unproved),
-                    "scenes", at_most(0)});
-    rows.push_back({fmt::format("{}: solver, median", name),
-                    median_of(outcome.solver_seconds) * 1e3, "ms", at_most(limit_s * 1e3)});
-    rows.push_back(
-        {fmt::format("{}: whole scan, median", name), median_of(outcome.seconds) * 1e3, "ms"});
-  }
-}
-
 }  // namespace
 
 std::vector<BenchRow> bench_passive(const SeedRange& seeds, int threads) {
@@ -148,8 +107,10 @@ std::vector<BenchRow> bench_passive(const SeedRange& seeds, int threads) {
   const SeedRange fewer{seeds.first, std::max(seeds.count / 10, 1)};
   add_crowds(rows, fewer, threads);
   add_locations(rows, seeds);
-  add_cameras(rows, seeds.first, threads);
-  add_solver(rows, seeds.first);
+  add_passive_cameras(rows, seeds.first, threads);
+  add_passive_solver(rows, seeds.first);
+  add_many_sensors(rows, seeds.first);
+  add_passive_tracks(rows, {seeds.first, std::max(seeds.count / 200, 1)}, threads);
   return rows;
 }
 

@@ -52,29 +52,31 @@ void count_sure(const PassiveRecording& recording, const triangulate::ScanAssoci
 }  // namespace
 
 PassiveOutcome run_passive(const PassiveOptions& options, const SeedRange& seeds, int threads,
-                           CostMethod cost, bool posterior) {
+                           CostMethod cost, const PassiveRunOptions& run) {
   std::vector<PassiveOutcome> parts(static_cast<std::size_t>(seeds.count));
   parallel_for(parts.size(), threads, [&](std::size_t k) {
     const auto recording = simulate::simulate_passive(options, seeds.first + k);
     if (!recording) return;
     AssociationOptions association;
     association.cost = cost;
-    association.posterior = posterior;
+    association.posterior = run.posterior;
     PassiveOutcome& part = parts[k];
     const auto start = std::chrono::steady_clock::now();
-    const auto found = associate_scan(recording->scans[0], recording->scene, association);
+    auto found = associate_scan(recording->scans[0], recording->scene, association);
     if (!found) return;
     part.seconds.push_back(
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     part.solver_seconds.push_back(found->solver_seconds);
     part.columns.push_back(static_cast<double>(found->packing.columns()));
-    part.unproved = found->solution.proved ? 0 : 1;
-    part.worst_gap = found->solution.gap();
+    part.unproved = found->proved ? 0 : 1;
+    part.worst_gap = found->gap();
     part.score.add(recording->scans[0], found->fixes, places_of(*recording));
-    if (posterior) count_sure(*recording, *found, part);
+    if (run.posterior) count_sure(*recording, *found, part);
+    if (run.keep_packings) part.packings.push_back(std::move(found->packing));
   });
   PassiveOutcome sum;
-  for (const PassiveOutcome& part : parts) {
+  for (PassiveOutcome& part : parts) {
+    std::ranges::move(part.packings, std::back_inserter(sum.packings));
     sum.score += part.score;
     sum.unproved += part.unproved;
     sum.worst_gap = std::max(sum.worst_gap, part.worst_gap);

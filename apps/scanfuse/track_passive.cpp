@@ -3,10 +3,12 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "scanfuse/io/atomic_file.hpp"
 #include "scanfuse/io/passive/passive.hpp"
 #include "scanfuse/io/result_writer.hpp"
 #include "scanfuse/triangulate/passive_tracker.hpp"
 #include "track_outputs.hpp"
+#include "track_passive_report.hpp"
 
 namespace scanfuse::app {
 namespace {
@@ -46,11 +48,10 @@ Result<void> change_setting(PassiveSettings& settings, std::string_view text) {
 
 Result<PassiveSettings> settings_of(const TrackRequest& request) {
   const std::pair<const char*, bool> others[] = {
-      {"--detections", !request.detections.empty()}, {"--report", !request.report.empty()},
-      {"--config", !request.config.empty()},         {"--topic", !request.topics.empty()},
-      {"--ego", !request.ego_file.empty()},          {"--ego-topic", !request.ego_topic.empty()},
-      {"--mount", !request.mount.empty()},           {"--calib", !request.calibration.empty()},
-      {"--truth", !request.truth.path.empty()},      {"--frame", !request.frame.empty()}};
+      {"--detections", !request.detections.empty()}, {"--config", !request.config.empty()},
+      {"--topic", !request.topics.empty()},          {"--ego", !request.ego_file.empty()},
+      {"--ego-topic", !request.ego_topic.empty()},   {"--mount", !request.mount.empty()},
+      {"--calib", !request.calibration.empty()},     {"--frame", !request.frame.empty()}};
   for (const auto& [name, given] : others) {
     if (given) {
       return fail(Error::Code::kUnsupported, "{}: not for bearings; without --sensors only", name);
@@ -90,33 +91,33 @@ Track as_track(const PassiveTrack& point) {
   return track;
 }
 
-StepResult as_step(const BearingScan& scan, const triangulate::PassiveStep& found) {
-  StepResult step;
-  step.stamp = scan.stamp;
-  step.frame = scan.scan;
-  step.sensor = "passive";
-  step.tracks.reserve(found.tracks.size());
-  for (const PassiveTrack& track : found.tracks) step.tracks.push_back(as_track(track));
-  return step;
-}
-
-struct PassiveOutcome {
+struct PassiveTrackOutcome {
   std::int64_t scans = 0;
   std::size_t bearings = 0;
   std::set<std::int64_t> confirmed;
   double worst_gap = 0;
   std::vector<SensorBias> biases;
+  std::optional<evaluate::Evaluation> score;  ///< where truth was asked for
   Diagnostics diagnostics;
 };
 
 using Writers = std::vector<std::unique_ptr<io::ResultWriter>>;
 
+Result<void> refuse_replacing(const TrackRequest& request) {
+  auto outputs = request.outputs;
+  if (!request.report.empty()) outputs.push_back(request.report);
+  for (const auto& path : outputs) {
+    for (const auto& in : {request.input, request.sensors, request.truth.path}) {
+      if (in.empty()) continue;
+      if (auto fine = refuse_to_replace(in, path); !fine) return fine;
+    }
+  }
+  return {};
+}
+
 Result<Writers> open_writers(const TrackRequest& request) {
   Writers writers;
   for (const auto& path : request.outputs) {
-    for (const auto& in : {request.input, request.sensors}) {
-      if (auto fine = refuse_to_replace(in, path); !fine) return tl::unexpected(fine.error());
-    }
     auto writer = io::open_result_writer(path);
     if (!writer) return tl::unexpected(writer.error());
     writers.push_back(std::move(*writer));
@@ -124,10 +125,29 @@ Result<Writers> open_writers(const TrackRequest& request) {
   return writers;
 }
 
-Result<PassiveOutcome> follow(PassiveTracker& tracker, std::span<const BearingScan> scans,
-                              Writers* writers, const CommonOptions& common) {
-  PassiveOutcome outcome;
-  Progress progress(writers ? "tracking" : "estimating offsets", common.quiet);
+/// Where tracks go: files, the comparison with truth, a page.
+struct Sinks {
+  Writers writers;
+  Scorer scorer;
+  std::optional<PassiveTrackReport> report;
+
+  [[nodiscard]] Result<void> take(const BearingScan& scan, const triangulate::PassiveStep& found) {
+    const StepResult step = as_step(scan, found);
+    Scan none;
+    none.stamp = scan.stamp;
+    for (auto& writer : writers) {
+      if (auto wrote = writer->write(step, none); !wrote) return wrote;
+    }
+    scorer.add(step);
+    if (report) report->add(scan, found);
+    return {};
+  }
+};
+
+Result<PassiveTrackOutcome> follow(PassiveTracker& tracker, std::span<const BearingScan> scans,
+                                   Sinks* sinks, const CommonOptions& common) {
+  PassiveTrackOutcome outcome;
+  Progress progress(sinks ? "tracking" : "estimating offsets", common.quiet);
   for (const BearingScan& scan : scans) {
     if (interrupted) break;
     const auto found = tracker.step(scan, common.threads);
@@ -137,13 +157,8 @@ Result<PassiveOutcome> follow(PassiveTracker& tracker, std::span<const BearingSc
     for (const PassiveTrack& track : found->tracks) {
       if (track.confirmed) outcome.confirmed.insert(track.id);
     }
-    if (writers) {
-      const StepResult step = as_step(scan, *found);
-      Scan none;
-      none.stamp = scan.stamp;
-      for (auto& writer : *writers) {
-        if (auto wrote = writer->write(step, none); !wrote) return tl::unexpected(wrote.error());
-      }
+    if (sinks) {
+      if (auto taken = sinks->take(scan, *found); !taken) return tl::unexpected(taken.error());
     }
     progress.update(++outcome.scans, std::ssize(scans));
   }
@@ -154,9 +169,9 @@ Result<PassiveOutcome> follow(PassiveTracker& tracker, std::span<const BearingSc
 
 /// With offsets to estimate, twice: what the first run learnt is taken off in the second from its
 /// first scan on.
-Result<PassiveOutcome> follow_all(const PassiveScene& scene, const PassiveSettings& settings,
-                                  std::span<const BearingScan> scans, Writers& writers,
-                                  const CommonOptions& common) {
+Result<PassiveTrackOutcome> follow_all(const PassiveScene& scene, const PassiveSettings& settings,
+                                       std::span<const BearingScan> scans, Sinks& sinks,
+                                       const CommonOptions& common) {
   PassiveTracker tracker(scene, settings.track, settings.associate);
   if (settings.track.estimate_bias) {
     PassiveTracker first(scene, settings.track, settings.associate);
@@ -164,18 +179,50 @@ Result<PassiveOutcome> follow_all(const PassiveScene& scene, const PassiveSettin
     if (!learnt) return learnt;
     tracker.set_biases(learnt->biases);
   }
-  return follow(tracker, scans, &writers, common);
+  return follow(tracker, scans, &sinks, common);
 }
 
-Result<void> finish(Writers& writers, const TrackRequest& request,
-                    const PassiveSettings& settings) {
-  for (auto& writer : writers) {
+std::string three_digits(const std::optional<double>& value) {
+  return value ? fmt::format("{:.3f}", *value) : "-";
+}
+
+report::ReportTable score_table(const evaluate::Evaluation& score) {
+  return {
+      "Against truth",
+      {"MOTA", "identity switches", "IDF1", "HOTA", "GOSPA [m]", "position RMSE [m]",
+       "velocity RMSE [m/s]", "median NEES"},
+      {{three_digits(score.clear.mota), fmt::format("{}", score.clear.identity_switches),
+        three_digits(score.identity.idf1), three_digits(score.hota.hota),
+        three_digits(score.sets.gospa_m), three_digits(score.rmse.position_m),
+        three_digits(score.rmse.velocity_m_per_s), three_digits(score.consistency.nees_median)}}};
+}
+
+Result<void> write_report(const PassiveTrackReport& report, const TrackRequest& request,
+                          const PassiveTrackOutcome& outcome) {
+  auto file = io::AtomicFile::create(request.report);
+  if (!file) return tl::unexpected(file.error());
+  std::vector<report::ReportTable> tables;
+  if (outcome.score) tables.push_back(score_table(*outcome.score));
+  if (auto wrote = file->write(report.page(request.input, tables)); !wrote) return wrote;
+  return file->commit();
+}
+
+/// Compares with truth, and moves all files into place.
+Result<void> finish(Sinks& sinks, const TrackRequest& request, const PassiveSettings& settings,
+                    PassiveTrackOutcome& outcome) {
+  if (auto done = sinks.scorer.finish(outcome.diagnostics); !done) return done;
+  if (const auto score = sinks.scorer.score()) outcome.score = score->all;
+  for (auto& writer : sinks.writers) {
     if (auto done = writer->finish(); !done) return done;
+  }
+  if (sinks.report) {
+    sinks.report->show(sinks.scorer.truth());
+    if (auto done = write_report(*sinks.report, request, outcome); !done) return done;
   }
   return write_configurations(request.outputs, settings.views());
 }
 
-nlohmann::json passive_json(const TrackRequest& request, const PassiveOutcome& outcome,
+nlohmann::json passive_json(const TrackRequest& request, const PassiveTrackOutcome& outcome,
                             const PassiveScene& scene) {
   nlohmann::json biases = nlohmann::json::array();
   for (std::size_t s = 0; s < outcome.biases.size(); ++s) {
@@ -189,18 +236,20 @@ nlohmann::json passive_json(const TrackRequest& request, const PassiveOutcome& o
     }
     biases.push_back(std::move(row));
   }
-  return {{"input", request.input},
-          {"scans", outcome.scans},
-          {"bearings", outcome.bearings},
-          {"confirmed_tracks", outcome.confirmed.size()},
-          {"largest_gap", outcome.worst_gap},
-          {"biases", biases},
-          {"interrupted", interrupted.load()},
-          {"outputs", request.outputs},
-          {"diagnostics", diagnostics_json(outcome.diagnostics)}};
+  nlohmann::json json{{"input", request.input},
+                      {"scans", outcome.scans},
+                      {"bearings", outcome.bearings},
+                      {"confirmed_tracks", outcome.confirmed.size()},
+                      {"largest_gap", outcome.worst_gap},
+                      {"biases", biases},
+                      {"interrupted", interrupted.load()},
+                      {"outputs", request.outputs},
+                      {"diagnostics", diagnostics_json(outcome.diagnostics)}};
+  if (outcome.score) json["evaluation"] = nlohmann::json::parse(to_json(*outcome.score));
+  return json;
 }
 
-void print_passive(const TrackRequest& request, const PassiveOutcome& outcome,
+void print_passive(const TrackRequest& request, const PassiveTrackOutcome& outcome,
                    const PassiveScene& scene) {
   fmt::print("{}\n", request.input);
   fmt::print("  {:<18} {}\n", "scans", outcome.scans);
@@ -215,10 +264,39 @@ void print_passive(const TrackRequest& request, const PassiveOutcome& outcome,
     }
     fmt::print("\n");
   }
+  if (outcome.score) {
+    const auto& score = *outcome.score;
+    fmt::print("  {:<18} MOTA {}, {} identity switches, position RMSE {} m\n", "against truth",
+               three_digits(score.clear.mota), score.clear.identity_switches,
+               three_digits(score.rmse.position_m));
+  }
   for (const auto& path : request.outputs) fmt::print("  {:<18} {}\n", "wrote", path);
+  if (!request.report.empty()) fmt::print("  {:<18} {}\n", "wrote", request.report);
+}
+
+Result<Sinks> open_sinks(const TrackRequest& request, const PassiveScene& scene,
+                         std::size_t scans) {
+  if (auto fine = refuse_replacing(request); !fine) return tl::unexpected(fine.error());
+  auto scorer = Scorer::create(request.truth, request.scoring, request.input);
+  if (!scorer) return tl::unexpected(scorer.error());
+  auto writers = open_writers(request);
+  if (!writers) return tl::unexpected(writers.error());
+  Sinks sinks{std::move(*writers), std::move(*scorer), {}};
+  if (!request.report.empty()) sinks.report.emplace(scene, scans);
+  return sinks;
 }
 
 }  // namespace
+
+StepResult as_step(const BearingScan& scan, const triangulate::PassiveStep& found) {
+  StepResult step;
+  step.stamp = scan.stamp;
+  step.frame = scan.scan;
+  step.sensor = "passive";
+  step.tracks.reserve(found.tracks.size());
+  for (const PassiveTrack& track : found.tracks) step.tracks.push_back(as_track(track));
+  return step;
+}
 
 int run_track_passive(const TrackRequest& request, const CommonOptions& common) {
   const auto settings = settings_of(request);
@@ -228,12 +306,14 @@ int run_track_passive(const TrackRequest& request, const CommonOptions& common) 
   Diagnostics diagnostics;
   const auto scans = io::read_bearings(request.input, *scene, &diagnostics);
   if (!scans) return report_error(scans.error());
-  auto writers = open_writers(request);
-  if (!writers) return report_error(writers.error());
-  auto outcome = follow_all(*scene, *settings, *scans, *writers, common);
+  auto sinks = open_sinks(request, *scene, scans->size());
+  if (!sinks) return report_error(sinks.error());
+  auto outcome = follow_all(*scene, *settings, *scans, *sinks, common);
   if (!outcome) return report_error(outcome.error());
   outcome->diagnostics.merge(diagnostics);
-  if (auto done = finish(*writers, request, *settings); !done) return report_error(done.error());
+  if (auto done = finish(*sinks, request, *settings, *outcome); !done) {
+    return report_error(done.error());
+  }
   if (request.json) {
     fmt::print("{}\n", passive_json(request, *outcome, *scene)
                            .dump(2, ' ', false, nlohmann::json::error_handler_t::replace));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "associate/packing_scenes.hpp"
+#include "associate/triangulated_scenes.hpp"
 #include "scanfuse/associate/packing.hpp"
 #include "scanfuse/associate/packing_posterior.hpp"
 
@@ -112,7 +113,17 @@ std::vector<Kind> kinds() {
       return scenes::packing_of(scenes::grid(20, spacing_km, random), random);
     };
   };
-  return {{"line_20x20x20/spacing_m:1000", 50, line(1)},
+  // What `scanfuse bench passive` solves.
+  const auto triangulated = [](const simulate::PassiveOptions& options) {
+    return [=](RandomStream& random) { return scenes::triangulated(options, random.below(1000)); };
+  };
+  simulate::PassiveOptions row, square;
+  square.target_layout = simulate::TargetLayout::kGrid;
+  return {{"triangulated_line_20x20x20", 50, triangulated(row)},
+          {"triangulated_grid_20x20x20", 50, triangulated(square)},
+          {"triangulated_1000x5/noise_mrad:1", 1, triangulated(scenes::crowd(1000, 5, 1e-3, 10))},
+          {"triangulated_2000x5/noise_mrad:0.5", 1, triangulated(scenes::crowd(2000, 5, 5e-4, 10))},
+          {"line_20x20x20/spacing_m:1000", 50, line(1)},
           {"line_20x20x20/spacing_m:500", 50, line(0.5)},
           {"grid_20x20x20/spacing_m:1000", 50, grid(1)},
           {"grid_20x20x20/spacing_m:500", 50, grid(0.5)},
@@ -129,7 +140,7 @@ std::vector<Kind> kinds() {
     add("Associate_PriceAndBranch/" + kind.name, kind.scenes, kind.draw, PriceAndBranch{});
     add("Associate_GreedyPacking/" + kind.name, kind.scenes, kind.draw, GreedyPacking{});
     const bool small = kind.name.find("20x20x20") != std::string::npos;
-    if (small || kind.name == "box_1000x5/noise_mrad:1") {
+    if (small || kind.name.ends_with("1000x5/noise_mrad:1")) {
       add("Associate_LagrangianPacking/" + kind.name, small ? 50 : 1, kind.draw,
           LagrangianPacking{});
 #ifdef SCANFUSE_HAVE_CBC

@@ -4,8 +4,9 @@
 
 namespace scanfuse::report {
 
-/// The files marks.js with viewer.js, and page.css, embedded when building.
+/// The files marks.js with viewer.js, passive_tracks.js, and page.css, embedded when building.
 [[nodiscard]] std::string_view viewer_script();
+[[nodiscard]] std::string_view passive_tracks_script();
 [[nodiscard]] std::string_view page_style();
 
 }  // namespace scanfuse::report

@@ -3,16 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 
 namespace scanfuse::triangulate {
 namespace {
-
-Result<associate::PackingSolution> solve(const associate::Packing& packing,
-                                         const AssociationOptions& options, int threads) {
-  return options.solver == associate::PackingMethod::kPriceAndBranch
-             ? price_and_branch(packing, options.time_limit_s, threads)
-             : associate::solve_packing(options.solver, packing);
-}
 
 /// The most likely place of a chosen hypothesis; its bearings are known to meet.
 Fix fix_of(std::span<const std::int32_t> column, const BearingScan& scan, const PassiveScene& scene,
@@ -86,7 +80,11 @@ Result<WeighedHypotheses> weigh_hypotheses(const BearingScan& scan, const Passiv
                 scan.scan, scan.bearings.size(), options.candidates.most_pairs,
                 options.candidates.most_candidates);
   }
-  WeighedHypotheses weighed{{}, candidates.tried, candidates.gate_probability};
+  WeighedHypotheses weighed{{},
+                            candidates.tried,
+                            candidates.gate_probability,
+                            std::move(candidates.cut),
+                            std::move(candidates.cut_prices)};
   associate::Packing& packing = weighed.packing;
   packing.set_of_row.reserve(scan.bearings.size());
   for (const Bearing& bearing : scan.bearings) packing.set_of_row.push_back(bearing.sensor);
@@ -96,10 +94,26 @@ Result<WeighedHypotheses> weigh_hypotheses(const BearingScan& scan, const Passiv
   return weighed;
 }
 
-Result<associate::PackingSolution> price_and_branch(const associate::Packing& packing,
-                                                    double time_limit_s, int threads) {
+double bound_on_all(const WeighedHypotheses& weighed, const associate::PackingSolution& solution) {
+  std::vector<char> cut(weighed.packing.rows(), 0);
+  for (const std::int32_t row : weighed.cut) cut[static_cast<std::size_t>(row)] = 1;
+  const double covered = std::accumulate(weighed.cut_prices.begin(), weighed.cut_prices.end(), 0.0);
+  double known = 0;
+  for (const auto& component : solution.components) {
+    if (cut[static_cast<std::size_t>(component.rows.front())]) known += component.dual;
+  }
+  return solution.dual + std::max(covered - known, 0.0);
+}
+
+double ScanAssociation::gap() const { return dual > 0 ? (dual - solution.primal) / dual : 0; }
+
+Result<associate::PackingSolution> solve(const associate::Packing& packing,
+                                         const AssociationOptions& options, int threads) {
+  if (options.solver != associate::PackingMethod::kPriceAndBranch) {
+    return associate::solve_packing(options.solver, packing);
+  }
   associate::PriceAndBranch solver;
-  solver.options.time_limit_s = time_limit_s;
+  solver.options.time_limit_s = options.time_limit_s;
   solver.options.threads = threads;
   return solver(packing);
 }
@@ -110,15 +124,18 @@ Result<ScanAssociation> associate_scan(const BearingScan& scan, const PassiveSce
   result.prior = scene_prior(scene, scan);
   auto weighed = weigh_hypotheses(scan, scene, result.prior.prior, options, threads);
   if (!weighed) return tl::unexpected(weighed.error());
-  result.packing = std::move(weighed->packing);
   result.pairs_tried = weighed->pairs_tried;
   result.gate_probability = weighed->gate_probability;
   const auto start = std::chrono::steady_clock::now();
-  auto solution = solve(result.packing, options, threads);
+  auto solution = solve(weighed->packing, options, threads);
   result.solver_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (!solution) return tl::unexpected(solution.error());
   result.solution = std::move(*solution);
+  result.dual = bound_on_all(*weighed, result.solution);
+  result.cut_bearings = weighed->cut.size();
+  result.proved = result.solution.proved && weighed->cut.empty();
+  result.packing = std::move(weighed->packing);
   result.target_of_bearing.assign(scan.bearings.size(), -1);
   for (const std::int32_t column : result.solution.chosen) {
     const auto k = static_cast<std::size_t>(column);

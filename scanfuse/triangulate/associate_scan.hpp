@@ -33,7 +33,7 @@ struct AssociationOptions {
 };
 
 /// Which bearings of a scan belong together, where that puts the targets, and how good the answer
-/// is: no other association weighs more than `solution.dual`.
+/// is: no other association weighs more than `dual`.
 struct ScanAssociation {
   std::vector<Fix> fixes;                       ///< ordered by their first bearing
   std::vector<std::int64_t> target_of_bearing;  ///< Fix::target, -1 for clutter
@@ -42,10 +42,17 @@ struct ScanAssociation {
   std::vector<double> probability_of_bearing;
   associate::Packing packing;  ///< the hypotheses that were weighed
   associate::PackingSolution solution;
+  /// solution.dual, and more where hypotheses of many sensors had to be left out unproved.
+  double dual = 0;
+  bool proved = false;           ///< the solution is, and none had to be
+  std::size_t cut_bearings = 0;  ///< around which some had to be
   EstimatedPrior prior;
   std::int64_t pairs_tried = 0;
   double solver_seconds = 0;    ///< wall time; the rest of the result does not depend on it
   double gate_probability = 0;  ///< narrower than asked for where there were too many hypotheses
+
+  /// (dual - primal) / dual, 0 where there is nothing to gain.
+  [[nodiscard]] double gap() const;
 };
 
 /// The hypotheses of a scan as columns over its bearings.
@@ -53,7 +60,15 @@ struct WeighedHypotheses {
   associate::Packing packing;
   std::int64_t pairs_tried = 0;
   double gate_probability = 0;
+  std::vector<std::int32_t> cut;  ///< as in Candidates
+  std::vector<double> cut_prices;
 };
+
+/// A bound on all hypotheses from one on those that were weighed: components with bearings around
+/// which some were left out are bounded by those bearings' prices.
+[[nodiscard]] double bound_on_all(const WeighedHypotheses& weighed,
+                                  const associate::PackingSolution& solution);
+
 /// An error where there are more than allowed at any gate.
 [[nodiscard]] Result<WeighedHypotheses> weigh_hypotheses(const BearingScan& scan,
                                                          const PassiveScene& scene,
@@ -61,9 +76,10 @@ struct WeighedHypotheses {
                                                          const AssociationOptions& options,
                                                          int threads);
 
-/// The best packing, proved unless time runs out.
-[[nodiscard]] Result<associate::PackingSolution> price_and_branch(const associate::Packing& packing,
-                                                                  double time_limit_s, int threads);
+/// A packing by the solver that the options name.
+[[nodiscard]] Result<associate::PackingSolution> solve(const associate::Packing& packing,
+                                                       const AssociationOptions& options,
+                                                       int threads);
 
 /// A fix's existence_probability is the posterior of the hypotheses that hold more than half of its
 /// bearings (no two of them can be true at once); without `posterior` that of its own evidence.

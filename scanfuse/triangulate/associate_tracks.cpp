@@ -79,10 +79,11 @@ Result<TrackChoice> jointly(const BearingScan& scan, std::span<const LineOfSight
   const std::size_t first = packing.columns();
   const auto origins =
       add_tracks(packing, columns, tracks, static_cast<std::int32_t>(scene.sensors.size()));
-  const auto solution = price_and_branch(packing, association.time_limit_s, threads);
+  const auto solution = solve(packing, association, threads);
   if (!solution) return tl::unexpected(solution.error());
   TrackChoice choice;
-  choice.gap = solution->gap();
+  const double dual = bound_on_all(*fresh, *solution);
+  choice.gap = dual > 0 ? (dual - solution->primal) / dual : 0;
   choice.bearings_of_track.resize(tracks.size());
   for (const auto& own : columns) choice.log_ratio.push_back(own.front().log_ratio);
   for (const std::int32_t chosen : solution->chosen) {
@@ -135,7 +136,7 @@ Result<TrackChoice> fixes_first(const BearingScan& scan, std::span<const Passive
   const double even = found->prior.prior.log_intensity, fresh = prior.log_intensity - even;
   const double gate = estimate::chi_square_quantile(options.gate_probability, 3);
   TrackChoice choice;
-  choice.gap = found->solution.gap();
+  choice.gap = found->gap();
   choice.bearings_of_track.resize(tracks.size());
   associate::Packing packing;
   packing.set_of_row.assign(found->fixes.size(), 0);
@@ -154,7 +155,7 @@ Result<TrackChoice> fixes_first(const BearingScan& scan, std::span<const Passive
       ratios.push_back(*ratio);
     }
   }
-  const auto solution = price_and_branch(packing, association.time_limit_s, threads);
+  const auto solution = solve(packing, association, threads);
   if (!solution) return tl::unexpected(solution.error());
   std::vector<bool> used(found->fixes.size(), false);
   for (const std::int32_t chosen : solution->chosen) {

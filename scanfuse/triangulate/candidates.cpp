@@ -6,29 +6,11 @@
 #include <numeric>
 
 #include "scanfuse/core/parallel.hpp"
-#include "scanfuse/estimate/consistency.hpp"
-#include "scanfuse/triangulate/closest_points.hpp"
+#include "scanfuse/triangulate/contested_growth.hpp"
 #include "scanfuse/triangulate/lines_by_sensor.hpp"
 
 namespace scanfuse::triangulate {
 namespace {
-
-constexpr double kSlack = 1.2;  // first gates are linear: what passes is judged again
-constexpr double kLeastParallax = 1.5;
-
-/// chi-square quantiles by degrees of freedom, 0 for none.
-class Gate {
- public:
-  Gate(double probability, std::size_t sensors) : limits_(2 * sensors + 2, 0) {
-    for (std::size_t dof = 1; dof < limits_.size(); ++dof) {
-      limits_[dof] = estimate::chi_square_quantile(probability, static_cast<std::int64_t>(dof));
-    }
-  }
-  [[nodiscard]] double of(int dof) const { return limits_[static_cast<std::size_t>(dof)]; }
-
- private:
-  std::vector<double> limits_;
-};
 
 /// Everything about a scan that growing a hypothesis looks at.
 struct Search {
@@ -45,11 +27,6 @@ struct Search {
   [[nodiscard]] bool too_many() const { return found.load(std::memory_order_relaxed) > most; }
 };
 
-double weight_of(const Search& search, const Hypothesis& h) {
-  return std::visit([&](const auto& policy) { return policy(h, search.scene, search.prior); },
-                    search.cost);
-}
-
 /// Grows hypotheses from one line of sight: a partner, then sensor after sensor.
 class Grower {
  public:
@@ -63,7 +40,7 @@ class Grower {
           first.lines[line], search_.sigmas, [&](std::int32_t j) {
             ++out_.tried;
             const auto place = static_cast<std::size_t>(j);
-            const auto met = meeting(first.lines[line], second.lines[place]);
+            const auto met = meeting(first.lines[line], second.lines[place], search_.sigmas);
             if (!met) return;
             lines_ = {first.lines[line], second.lines[place]};
             members_ = {first.places[line], second.places[place]};
@@ -73,23 +50,12 @@ class Grower {
   }
 
  private:
-  /// Nothing for lines that miss each other, or are so nearly parallel that their noise leaves the
-  /// range open.
-  [[nodiscard]] std::optional<ClosestPoints> meeting(const LineOfSight& a,
-                                                     const LineOfSight& b) const {
-    const double blur = a.sigma_left_rad + b.sigma_left_rad + a.sigma_up_rad + b.sigma_up_rad;
-    if (a.direction.cross(b.direction).norm() < kLeastParallax * blur) return std::nullopt;
-    auto met = closest_points(a, b);
-    if (met && met->sigmas_apart > kSlack * search_.sigmas) met.reset();
-    return met;
-  }
-
   /// Locates what lines_ holds, keeps it, and grows it by the sensors from `next` on.
   void take(const Eigen::Vector3d& start_m, std::size_t next) {
     if (search_.too_many()) return;
     const auto at = most_likely(lines_, start_m, search_.prior.height());
-    if (!at || at->chi2 > search_.gate.of(degrees_of_freedom())) return;
-    const double weight = weight_of(search_, {lines_, *at});
+    if (!at || at->chi2 > search_.gate.of(degrees_of_freedom(lines_, search_.prior))) return;
+    const double weight = weight_of(search_.cost, {lines_, *at}, search_.scene, search_.prior);
     if (weight > 0) keep(weight);
     for (std::size_t c = next; c < search_.sensors.size(); ++c) {
       if (c != partner_) grow_by(c, *at);
@@ -106,7 +72,7 @@ class Grower {
     next.by_azimuth.for_near(at.position_m, reach, [&](std::int32_t j) {
       const LineOfSight& line = next.lines[static_cast<std::size_t>(j)];
       if (!agrees(line, at)) return;
-      if (sensor < partner_ && meeting(lines_.front(), line)) return;
+      if (sensor < partner_ && meeting(lines_.front(), line, search_.sigmas)) return;
       const auto place = std::upper_bound(
           lines_.begin(), lines_.end(), line.sensor,
           [](std::int32_t s, const LineOfSight& other) { return s < other.sensor; });
@@ -119,19 +85,9 @@ class Grower {
     });
   }
 
-  /// d' (R + J P J')^-1 d within the gate.
   [[nodiscard]] bool agrees(const LineOfSight& line, const Location& at) const {
-    const auto seen = sight(line, at.position_m);
-    if (!seen) return false;
-    Eigen::Matrix2d spread =
-        seen->jacobian_rad_per_m * at.covariance_m2 * seen->jacobian_rad_per_m.transpose();
-    spread(0, 0) += line.sigma_left_rad * line.sigma_left_rad;
-    spread(1, 1) += line.tells_elevation() ? line.sigma_up_rad * line.sigma_up_rad : 1;
-    const Eigen::Vector2d& d = seen->offset_rad;
-    const double distance = (d.x() * d.x() * spread(1, 1) - 2 * d.x() * d.y() * spread(0, 1) +
-                             d.y() * d.y() * spread(0, 0)) /
-                            spread.determinant();
-    return distance <= kSlack * search_.gate.of(line.dimensions());
+    const auto fit = agreement_of(line, at);
+    return fit && fit->distance <= kSlack * search_.gate.of(line.dimensions());
   }
 
   void keep(double weight) {
@@ -139,12 +95,6 @@ class Grower {
     out_.starts.push_back(out_.members.size());
     out_.weights.push_back(weight);
     search_.found.fetch_add(1, std::memory_order_relaxed);
-  }
-
-  [[nodiscard]] int degrees_of_freedom() const {
-    int measured = search_.prior.flat ? 1 : 0;
-    for (const LineOfSight& line : lines_) measured += line.dimensions();
-    return std::max(measured - 3, 1);
   }
 
   Search& search_;
@@ -247,6 +197,30 @@ Candidates without_dominated(const Candidates& all) {
   return kept;
 }
 
+bool leaves_out_subsets(const Search& search, const CandidateOptions& options) {
+  const auto with =
+      std::ranges::count_if(search.sensors, [](const auto& s) { return !s.lines.empty(); });
+  return with >= options.many_sensors && !std::holds_alternative<RenyiLiteralCost>(search.cost);
+}
+
+Candidates grow_contested(const Search& search, const CandidateOptions& options, int threads) {
+  const GrowthScene growth{search.scene, search.prior, search.cost, search.gate, search.sigmas};
+  const PairGraph graph = pair_graph(search.sensors, search.pairs, growth, threads);
+  GrownColumns grown = grow_where_contested(graph, growth, options.steps_per_bearing, threads);
+  Candidates all;
+  all.starts = std::move(grown.starts);
+  all.members = std::move(grown.members);
+  all.weights = std::move(grown.weights);
+  all.tried = grown.steps;
+  const auto prices = covering_prices(graph);
+  for (std::size_t node = 0; node < graph.size(); ++node) {
+    if (!grown.cut[node]) continue;
+    all.cut.push_back(graph.places[node]);
+    all.cut_prices.push_back(prices[node]);
+  }
+  return all;
+}
+
 }  // namespace
 
 std::vector<LineOfSight> lines_of_sight(const BearingScan& scan, const PassiveScene& scene) {
@@ -273,7 +247,10 @@ Candidates find_candidates(const BearingScan& scan, const PassiveScene& scene,
         scene, prior, cost, sensors, pairs, gate, std::sqrt(gate.of(1)), options.most_candidates,
         {}};
     all.too_many = too_many_pairs(search, options.most_pairs);
-    if (!all.too_many) all = grow_all(search, threads);
+    if (!all.too_many) {
+      all = leaves_out_subsets(search, options) ? grow_contested(search, options, threads)
+                                                : grow_all(search, threads);
+    }
     all.gate_probability = probability;
     all.too_many = all.too_many || search.too_many();
     if (!all.too_many) break;
@@ -282,6 +259,8 @@ Candidates find_candidates(const BearingScan& scan, const PassiveScene& scene,
   kept.tried = all.tried;
   kept.gate_probability = all.gate_probability;
   kept.too_many = all.too_many;
+  kept.cut = std::move(all.cut);
+  kept.cut_prices = std::move(all.cut_prices);
   return kept;
 }
 

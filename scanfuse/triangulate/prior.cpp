@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kMostCertain = 0.9999, kLeastCertain = 1e-4;
 constexpr std::size_t kSampledLines = 300;
+constexpr double kSampledPairs = 4e6;  ///< of all sensors
 constexpr double kCloseSigmas = 4;
 
 SensorPrior sensor_prior(const PassiveSensor& sensor) {
@@ -24,9 +25,12 @@ std::vector<std::vector<LineOfSight>> sampled_lines(const PassiveScene& scene,
   std::vector<std::vector<LineOfSight>> lines(scene.sensors.size());
   std::vector<std::size_t> counts(scene.sensors.size(), 0), seen(scene.sensors.size(), 0);
   for (const Bearing& b : scan.bearings) ++counts[static_cast<std::size_t>(b.sensor)];
+  const auto n = static_cast<double>(counts.size());
+  const double each = std::sqrt(kSampledPairs / std::max(n * (n - 1) / 2, 1.0));
+  const std::size_t most = std::min(kSampledLines, static_cast<std::size_t>(each));
   for (const Bearing& b : scan.bearings) {
     const auto s = static_cast<std::size_t>(b.sensor);
-    const std::size_t step = counts[s] / kSampledLines + 1;
+    const std::size_t step = counts[s] / most + 1;
     if (seen[s]++ % step == 0) lines[s].push_back(line_of_sight(scene.sensors[s], b));
   }
   return lines;

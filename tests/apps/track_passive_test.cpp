@@ -76,6 +76,32 @@ TEST(TrackBearings, TellsTheOffsetOfASensor) {
               4 * biases[0]["sigma_azimuth_rad"].get<double>());
 }
 
+TEST(TrackBearings, DrawsTracksAndComparesThemWithTruth) {
+  const Simulated scene;
+  const auto page = scene.path("report.html");
+  const auto tracked = scene.track("--json --report " + page + " --truth " + scene.truth +
+                                   " --match-m 500 --gospa-c-m 1000");
+  ASSERT_EQ(tracked.code, 0) << tracked.err;
+  const auto clear = nlohmann::json::parse(tracked.out)["evaluation"]["clear"];
+  EXPECT_GT(clear["MOTA"], 0.85);
+  EXPECT_EQ(clear["IDSW"], 0);
+  const auto html = content_of(page);
+  EXPECT_THAT(html, HasSubstr("Against truth"));
+  EXPECT_THAT(html, HasSubstr("\"sensors\":[{\"name\":"));
+  EXPECT_THAT(html, HasSubstr("type=\"range\""));
+  EXPECT_EQ(scene.track("--report " + scene.truth + " --truth " + scene.truth).code, 2);
+}
+
+TEST(TrackBearings, TakesTheSolverThatIsNamed) {
+  const Simulated scene;
+  for (const std::string solver : {"price_and_branch", "lagrangian", "greedy"}) {
+    const auto tracked = scene.track("--json --set associate.solver=" + solver);
+    ASSERT_EQ(tracked.code, 0) << tracked.err;
+    EXPECT_EQ(nlohmann::json::parse(tracked.out)["confirmed_tracks"], 5) << solver;
+  }
+  EXPECT_EQ(scene.track("--set associate.solver=best").code, 2);
+}
+
 TEST(TrackBearings, SaysWhatIsMissingOrDoesNotFit) {
   const Simulated scene;
   const auto bare = run_tool(scene.folder, "track " + scene.bearings);

@@ -6,6 +6,7 @@
 
 #include "associate/packing_instances.hpp"
 #include "associate/packing_scenes.hpp"
+#include "associate/triangulated_scenes.hpp"
 #include "scanfuse/associate/packing.hpp"
 
 #ifdef SCANFUSE_HAVE_CBC
@@ -134,6 +135,15 @@ TEST_F(PackingOracle, LinesAndGridsOfTwentyHaveTheSameOptimum) {
     const auto scene =
         trial % 2 == 0 ? scenes::line(20, spacing, random) : scenes::grid(20, spacing, random);
     return scenes::packing_of(scene, random);
+  });
+}
+
+TEST_F(PackingOracle, TriangulatedScenesHaveTheSameOptimum) {
+  compare(60, 6, [](int trial, RandomStream& random) {
+    const int sensors = 2 + trial % 5;
+    return scenes::triangulated(
+        scenes::crowd(6 + trial % 10, sensors, random.uniform(2e-3, 1e-2), trial % 4),
+        static_cast<std::uint64_t>(trial));
   });
 }
 
