@@ -179,6 +179,7 @@ std::vector<std::int32_t> team_of(const PairGraph& graph, std::size_t node,
   constexpr std::size_t kLeast = 4;  // to tell who of them is off
   for (int left_out = 0; left_out < 2 && team.size() > 1; ++left_out) {
     std::vector<LineOfSight> lines;
+    lines.reserve(team.size());
     for (const auto n : team) lines.push_back(graph.lines[static_cast<std::size_t>(n)]);
     const auto at = most_likely(lines, growth.prior.height());
     if (!at) return {};
