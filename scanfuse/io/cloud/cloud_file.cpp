@@ -108,7 +108,7 @@ std::string pcd_bytes(const Cloud& cloud) {
   };
   if (has_intensity(cloud)) add(" intensity", " 4", " F", " 1");
   if (cloud.has_profiles()) add(" profile beam", " 4 4", " I I", " 1 1");
-  std::string bytes = cloud_notes(cloud, "# ");
+  std::string bytes = "# .PCD v0.7 - Point Cloud Data file format\n" + cloud_notes(cloud, "# ");
   bytes += fmt::format(
       "VERSION 0.7\nFIELDS {}\nSIZE {}\nTYPE {}\nCOUNT {}\nWIDTH {}\nHEIGHT 1\n"
       "VIEWPOINT 0 0 0 1 0 0 0\nPOINTS {}\nDATA binary\n",

@@ -1,0 +1,152 @@
+#include "scanfuse/calibrate/cloud/disc_beams.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace scanfuse::calibrate {
+namespace {
+
+constexpr double kOnSigmas = 4;
+constexpr double kLeastTolerance_m = 5e-4;
+/// Two neighbouring returns of the background differ by no more, in steps across the plane.
+constexpr double kBackgroundSlope = 2;
+
+/// Beams of the neighbourhood as a raster of their own.
+struct Neighbourhood {
+  int first_beam = 0;
+  int width = 0;
+  int profiles = 0;
+  struct Cell {
+    Eigen::Vector2d place = Eigen::Vector2d::Zero();
+    double off_m = std::numeric_limits<double>::quiet_NaN();  ///< behind the plane, along the ray
+    bool meets = false;
+    bool on = false;
+  };
+  std::vector<Cell> cells;
+
+  [[nodiscard]] const Cell* at(int profile, int column) const {
+    if (profile < 0 || column < 0 || profile >= profiles || column >= width) return nullptr;
+    const Cell& cell = cells[static_cast<std::size_t>(profile) * static_cast<std::size_t>(width) +
+                             static_cast<std::size_t>(column)];
+    return cell.meets ? &cell : nullptr;
+  }
+};
+
+Neighbourhood look_around(const BeamGrid& grid, const PlaneFit& plane,
+                          const Eigen::Vector2d& around, double reach_m) {
+  Neighbourhood near;
+  near.profiles = grid.profiles();
+  const Eigen::Vector3d middle = plane.raised(around);
+  int first = std::numeric_limits<int>::max(), last = std::numeric_limits<int>::min();
+  for (int p = 0; p < near.profiles; ++p) {
+    const double distance = std::max((middle - grid.origin(p)).norm(), 1e-3);
+    const auto [from, to] =
+        grid.beams_around(p, middle, std::atan2(1.5 * reach_m, distance) + 3 * grid.step_rad());
+    first = std::min(first, from);
+    last = std::max(last, to);
+  }
+  if (first > last) return near;
+  near.first_beam = first;
+  near.width = last - first + 1;
+  near.cells.resize(static_cast<std::size_t>(near.width) * static_cast<std::size_t>(near.profiles));
+  const double tolerance = std::max(kOnSigmas * plane.rms_m, kLeastTolerance_m);
+  for (int p = 0; p < near.profiles; ++p) {
+    for (int b = first; b <= last; ++b) {
+      auto& cell = near.cells[static_cast<std::size_t>(p) * static_cast<std::size_t>(near.width) +
+                              static_cast<std::size_t>(b - first)];
+      const auto place = grid.meets(plane, p, b);
+      if (!place) continue;
+      cell.meets = true;
+      cell.place = plane.flat(*place);
+      if (const CloudPoint* point = grid.point(p, b)) {
+        cell.off_m = (point->position_m - grid.origin(p)).norm() - (*place - grid.origin(p)).norm();
+        cell.on = std::abs(cell.off_m) <= tolerance;
+      }
+    }
+  }
+  return near;
+}
+
+/// The neighbour that lies furthest out from the middle.
+const Neighbourhood::Cell* outward(const Neighbourhood& near, int profile, int column,
+                                   const Eigen::Vector2d& around) {
+  const Neighbourhood::Cell* best = nullptr;
+  double furthest = (near.at(profile, column)->place - around).norm();
+  for (const auto& [dp, db] : {std::pair{0, 1}, {0, -1}, {1, 0}, {-1, 0}}) {
+    const auto* cell = near.at(profile + dp, column + db);
+    if (cell == nullptr) continue;
+    const double out = (cell->place - around).norm();
+    if (out <= furthest) continue;
+    furthest = out;
+    best = cell;
+  }
+  return best;
+}
+
+/// What a beam that is not on the target is; nothing for one that tells nothing.
+std::optional<BeamState> state_off(const Neighbourhood::Cell& cell,
+                                   const Neighbourhood::Cell* beyond) {
+  const bool returned = std::isfinite(cell.off_m);
+  if (beyond == nullptr) return returned ? BeamState::kBeyond : BeamState::kNothing;
+  if (beyond->on) return std::nullopt;
+  const bool beyond_returned = std::isfinite(beyond->off_m);
+  if (!returned) return beyond_returned ? BeamState::kMixed : BeamState::kNothing;
+  if (!beyond_returned) return BeamState::kMixed;
+  const double apart = (cell.place - beyond->place).norm();
+  const bool level = std::abs(cell.off_m - beyond->off_m) <= kBackgroundSlope * apart;
+  return level ? BeamState::kBeyond : BeamState::kMixed;
+}
+
+/// Beams on the target near its edge have behind them what the nearest beam off it has.
+void find_backing(std::vector<EdgeBeam>& beams, const Eigen::Vector2d& around) {
+  std::vector<const EdgeBeam*> off;
+  for (const EdgeBeam& beam : beams) {
+    if (beam.state != BeamState::kOn) off.push_back(&beam);
+  }
+  if (off.empty()) return;
+  // By direction from the middle: the nearest in angle among those off the target.
+  const auto direction = [&](const EdgeBeam& beam) {
+    return std::atan2(beam.place_m.y() - around.y(), beam.place_m.x() - around.x());
+  };
+  constexpr std::size_t kSectors = 72;
+  std::array<int, kSectors> nothing{}, backed{};
+  const auto sector = [&](const EdgeBeam& beam) {
+    const double share = (direction(beam) + kPi) / (2 * kPi);
+    return std::min(static_cast<std::size_t>(share * kSectors), kSectors - 1);
+  };
+  for (const EdgeBeam* beam : off) {
+    ++(beam->state == BeamState::kNothing ? nothing : backed)[sector(*beam)];
+  }
+  for (EdgeBeam& beam : beams) {
+    const std::size_t s = sector(beam);
+    beam.backed = backed[s] >= nothing[s];
+  }
+}
+
+}  // namespace
+
+std::vector<EdgeBeam> edge_beams(const BeamGrid& grid, const PlaneFit& plane,
+                                 const Eigen::Vector2d& around, double reach_m) {
+  const Neighbourhood near = look_around(grid, plane, around, reach_m);
+  std::vector<EdgeBeam> beams;
+  for (int p = 0; p < near.profiles; ++p) {
+    for (int b = 0; b < near.width; ++b) {
+      const auto* cell = near.at(p, b);
+      if (cell == nullptr || (cell->place - around).norm() > reach_m) continue;
+      EdgeBeam beam;
+      beam.place_m = cell->place;
+      if (!cell->on) {
+        const auto state = state_off(*cell, outward(near, p, b, around));
+        if (!state) continue;
+        beam.state = *state;
+      }
+      beams.push_back(beam);
+    }
+  }
+  find_backing(beams, around);
+  return beams;
+}
+
+}  // namespace scanfuse::calibrate
