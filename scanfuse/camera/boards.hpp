@@ -14,9 +14,10 @@ namespace scanfuse::camera {
 
 /// A chessboard that was found in an image.
 ///
-/// Corner order, the same for every image: row-major as BoardSpec says; x cross y points away from
-/// the camera (in the image x turns clockwise into y); among the orders that remain, x points as
-/// far to the right as it can (where x must be upright: down).
+/// Corner order, the same rule for every image: row-major as BoardSpec says; x cross y points away
+/// from the camera (in the image x turns clockwise into y); of the orders that remain, the one
+/// whose x points right if x is more level than upright in the image, else down. Where rows and
+/// columns are equal, x is the more level side.
 struct DetectedBoard {
   BoardSpec spec;
   std::vector<Eigen::Vector2d> corners_px;  ///< rows * columns, raw image (distorted) pixels
@@ -29,7 +30,7 @@ struct DetectedBoard {
 };
 
 struct BoardOptions {
-  double half_window = 0.35;  ///< of the sub-pixel search, as a share of the square's side
+  double half_window = 0.35;
 
   static constexpr auto fields() {
     using O = BoardOptions;
