@@ -105,7 +105,7 @@ std::vector<double> rig_sigmas(const Cloud& cloud, const std::optional<Rig>& rig
                                const std::vector<double>& values, const MeasureOf& measure) {
   std::vector<double> squares(values.size(), 0);
   if (!rig || rig->covariance.isZero(0)) return squares;
-  const Eigen::SelfAdjointEigenSolver<RigCovariance> eigen(rig->covariance);
+  const Eigen::SelfAdjointEigenSolver<decltype(Rig::covariance)> eigen(rig->covariance);
   for (int k = 0; k < Rig::kParameters; ++k) {
     const double sigma = std::sqrt(std::max(eigen.eigenvalues()[k], 0.0));
     if (!(sigma > 0)) continue;
