@@ -121,8 +121,7 @@ void measure_misfits(Poses poses, MotionFit& fit) {
   fit.centre_m.clear();
   for (const auto& pose : poses) {
     const Pose3 model = fit.rig.pose(pose.turntable_rad);
-    fit.rotation_rad.push_back(
-        model.rotation.angularDistance(pose.camera_from_lidar.rotation));
+    fit.rotation_rad.push_back(model.rotation.angularDistance(pose.camera_from_lidar.rotation));
     fit.centre_m.push_back((model.translation_m - pose.camera_from_lidar.translation_m).norm());
   }
   fit.rotation_median_rad = median(fit.rotation_rad);

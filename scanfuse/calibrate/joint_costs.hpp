@@ -5,7 +5,8 @@
 
 #include "scanfuse/calibrate/joint_state.hpp"
 
-/// The observations of one line or corner as functions of all unknowns' changes. Private to the room.
+/// The observations of one line or corner as functions of all unknowns' changes. Private to the
+/// room.
 namespace scanfuse::calibrate::costs {
 
 template <class T>
@@ -83,8 +84,7 @@ struct Stripe {
     const auto lidar = lidar_frame<T>(state.rig, sample.turntable_rad, rig,
                                       state.correction_rad[place] + angle[0]);
     const auto plane = board_plane<T>(state.camera_from_board[board], board_change);
-    const Vector3<T> l =
-        lidar.z * plane.distance - plane.normal * lidar.z.dot(lidar.centre);
+    const Vector3<T> l = lidar.z * plane.distance - plane.normal * lidar.z.dot(lidar.centre);
     const T a = l[0] / camera.fx_px, b = l[1] / camera.fy_px;
     const T c = l[2] - a * camera.cx_px - b * camera.cy_px;
     const Eigen::Vector2d normal = line.normal();
@@ -146,12 +146,12 @@ struct Corner {
     const T Z = p[2] + base.translation_m.z() + board_change[5];
     const T x = X / Z, y = Y / Z, r2 = x * x + y * y;
     const T q = 1.0 + r2 * (camera.k1 + r2 * (camera.k2 + r2 * camera.k3));
-    residual[0] = scale * (camera.fx_px * (x * q + 2 * camera.p1 * x * y +
-                                           camera.p2 * (r2 + 2.0 * x * x)) +
-                           camera.cx_px - corner.seen_px.x());
-    residual[1] = scale * (camera.fy_px * (y * q + camera.p1 * (r2 + 2.0 * y * y) +
-                                           2 * camera.p2 * x * y) +
-                           camera.cy_px - corner.seen_px.y());
+    residual[0] =
+        scale * (camera.fx_px * (x * q + 2 * camera.p1 * x * y + camera.p2 * (r2 + 2.0 * x * x)) +
+                 camera.cx_px - corner.seen_px.x());
+    residual[1] =
+        scale * (camera.fy_px * (y * q + camera.p1 * (r2 + 2.0 * y * y) + 2 * camera.p2 * x * y) +
+                 camera.cy_px - corner.seen_px.y());
     return true;
   }
 };

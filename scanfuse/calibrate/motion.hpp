@@ -15,10 +15,10 @@ struct TurnedPose {
 };
 
 struct MotionFit {
-  Rig rig;                            ///< no bias, scale 1, no covariance
-  std::vector<double> rotation_rad;   ///< of each pose: how far its rotation is from the rig's
-  std::vector<double> centre_m;       ///< and its centre
-  double turn_ratio = 1;              ///< seen turn over commanded turn
+  Rig rig;                           ///< no bias, scale 1, no covariance
+  std::vector<double> rotation_rad;  ///< of each pose: how far its rotation is from the rig's
+  std::vector<double> centre_m;      ///< and its centre
+  double turn_ratio = 1;             ///< seen turn over commanded turn
   double rotation_median_rad = 0;
   double centre_median_m = 0;
 };

@@ -92,9 +92,8 @@ Result<PaperFit> rig_liu2023(std::span<const TurnedPose> unsorted) {
     return fail(Error::Code::kOutOfRange, "the paper's method needs 3 positions");
   }
   std::vector<TurnedPose> poses(unsorted.begin(), unsorted.end());
-  std::stable_sort(poses.begin(), poses.end(), [](const auto& a, const auto& b) {
-    return a.turntable_rad < b.turntable_rad;
-  });
+  std::stable_sort(poses.begin(), poses.end(),
+                   [](const auto& a, const auto& b) { return a.turntable_rad < b.turntable_rad; });
   std::vector<Vector3d> centres, z_tips, x_tips;
   for (const auto& pose : poses) {
     centres.push_back(pose.camera_from_lidar.translation_m);
@@ -135,9 +134,10 @@ Result<PaperFit> rig_liu2023(std::span<const TurnedPose> unsorted) {
   fit.rig.first_turntable_rad = first;
   fit.rig.last_turntable_rad = poses.back().turntable_rad;
   if (!R.allFinite() || !fit.rig.camera_from_lidar.translation_m.allFinite()) {
-    return fail(Error::Code::kOutOfRange,
-                "the paper's method has no answer here: centres that do not move, z or x axes along "
-                "the axis; use closed_form or joint");
+    return fail(
+        Error::Code::kOutOfRange,
+        "the paper's method has no answer here: centres that do not move, z or x axes along "
+        "the axis; use closed_form or joint");
   }
   return fit;
 }
