@@ -18,7 +18,7 @@ struct Plane {
 /// Where a chessboard stands before the camera.
 struct BoardPose {
   Pose3 camera_from_board;
-  double rms_px = 0;  ///< of the corners, both coordinates together, raw pixels
+  double rms_px = 0;  ///< of one coordinate of the corners, raw pixels
 
   /// The board's plane in the camera frame, its normal facing the camera [Liu2023, eq. 3].
   [[nodiscard]] Plane plane() const;

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "scanfuse/calibrate/board_plane.hpp"
+#include "scanfuse/calibrate/v_lines.hpp"
 #include "scanfuse/core/result.hpp"
 #include "scanfuse/types/turntable.hpp"
 
@@ -34,25 +36,35 @@ struct FixedPose {
 /// matrix inverse (eq. 13). The sign of the normal, which the print leaves open, is that of l1 x l2
 /// in both frames. Fails where the print does: lines along the lidar's y, camera in the scan plane.
 [[nodiscard]] Result<FixedPose> pose_liu2023(const Camera& camera,
+                                             const std::array<BoardSpec, 2>& specs,
                                              const std::array<BoardPose, 2>& boards,
-                                             const TurntablePosition& position,
+                                             const std::array<StripeLine, 2>& stripes,
                                              const BoardReturns& returns);
 
 /// Exact: the plane of least distance in pixels between stripe points and projected lines; the two
 /// lines in the scan as the smallest eigenvector of S1 + R(-a) S2 R(a), a being the known angle
 /// with the sign that fits better; rotation by SVD. Has no forbidden directions.
 [[nodiscard]] Result<FixedPose> pose_exact(const Camera& camera,
+                                           const std::array<BoardSpec, 2>& specs,
                                            const std::array<BoardPose, 2>& boards,
-                                           const TurntablePosition& position,
+                                           const std::array<StripeLine, 2>& stripes,
                                            const BoardReturns& returns);
+
+/// Fills in how far a pose is from the stripes and returns that it should explain.
+void describe_fit(const Camera& camera, const std::array<BoardPose, 2>& boards,
+                  const std::array<StripeLine, 2>& stripes, const BoardReturns& returns,
+                  FixedPose& pose);
 
 /// Finds the returns of both boards in a whole scan: two straight runs that meet at the angle and
 /// with the lengths that the camera saw. `first` says which board has the lower scan angles. An
 /// error says why there are none, and if ranges of another unit would fit.
-[[nodiscard]] Result<BoardReturns> find_board_returns(const Camera& camera,
-                                                      const std::array<BoardPose, 2>& boards,
-                                                      const TurntablePosition& position,
+[[nodiscard]] Result<BoardReturns> find_board_returns(const VLines& seen,
+                                                      std::span<const BeamReturn> scan,
                                                       BoardOrder first = BoardOrder::kAscending);
+
+/// The stripes of a position as lines. An error says on which board there is none.
+[[nodiscard]] Result<std::array<StripeLine, 2>> stripe_lines(const Camera& camera,
+                                                             const TurntablePosition& position);
 
 enum class PoseMethod { kLiu2023, kExact };
 
