@@ -40,12 +40,6 @@ std::vector<int> channels_of(const Image& image, LaserChannel channel) {
   }
 }
 
-LaserChannel channel_name(const Image& image, int channel) {
-  if (image.channels == 1) return LaserChannel::kGrey;
-  constexpr std::array kNames{LaserChannel::kRed, LaserChannel::kGreen, LaserChannel::kBlue};
-  return kNames[static_cast<std::size_t>(channel)];
-}
-
 struct Found {
   RoughStripe stripe;
   int channel = 0;

@@ -121,8 +121,8 @@ std::vector<RidgePoint> ridge_points(const CoarsePlane& plane,
 }
 
 struct Line {
-  Vector2d at;
-  Vector2d normal;
+  Vector2d at = Vector2d::Zero();
+  Vector2d normal = Vector2d::UnitX();
 };
 
 bool supports(const RidgePoint& point, const Line& line) {
