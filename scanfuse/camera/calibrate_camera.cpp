@@ -1,6 +1,8 @@
 #include "scanfuse/camera/calibrate_camera.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <opencv2/calib3d.hpp>
@@ -12,7 +14,7 @@ namespace {
 
 /// fx, fy, cx, cy, k1, k2, p1, p2, k3.
 constexpr int kIntrinsics = 9;
-using Normal9 = Eigen::Matrix<double, kIntrinsics, kIntrinsics>;
+using Normal = Eigen::MatrixXd;  ///< 9 x 9; sizes fixed would only cost compile time
 
 struct Views {
   std::vector<std::vector<cv::Point3f>> board;
@@ -92,43 +94,43 @@ Pose3 pose_of(const cv::Mat& turn, const cv::Mat& shift) {
 
 /// One view's share of the normal equations of the intrinsics, its pose eliminated:
 /// A - B C^-1 B' with A, B, C the blocks of J'J.
-Normal9 reduced_normal(const Views& views, const Solution& solution, std::size_t view,
-                       const CameraCalibrationOptions& options) {
+Normal reduced_normal(const Views& views, const Solution& solution, std::size_t view,
+                      const CameraCalibrationOptions& options) {
   std::vector<cv::Point2f> projected;
   cv::Mat jacobian;  // columns: rotation 3, translation 3, fx fy cx cy, k1 k2 p1 p2 k3
   cv::projectPoints(views.board[view], solution.turns[view], solution.shifts[view], solution.K,
                     solution.distortion, projected, jacobian);
   const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> J(
       jacobian.ptr<double>(), jacobian.rows, jacobian.cols);
-  const Eigen::MatrixXd pose = J.leftCols<6>();
-  Eigen::MatrixXd inner = J.middleCols<kIntrinsics>(6);
+  const Eigen::MatrixXd pose = J.leftCols(6);
+  Eigen::MatrixXd inner = J.middleCols(6, kIntrinsics);
   for (int i = 0; i < kIntrinsics; ++i) {
     if (!is_estimated(i, options)) inner.col(i).setZero();
   }
   const Eigen::MatrixXd B = inner.transpose() * pose;
-  const Eigen::Matrix<double, 6, 6> C = pose.transpose() * pose;
+  const Eigen::MatrixXd C = pose.transpose() * pose;
   return inner.transpose() * inner - B * C.ldlt().solve(B.transpose());
 }
 
 /// Covariance of the estimated intrinsics for corner errors of variance `variance`; nothing where
 /// the views do not determine them.
-std::optional<Normal9> covariance_of(const Views& views, const Solution& solution, double variance,
-                                     const CameraCalibrationOptions& options) {
-  Normal9 normal = Normal9::Zero();
+std::optional<Normal> covariance_of(const Views& views, const Solution& solution, double variance,
+                                    const CameraCalibrationOptions& options) {
+  Normal normal = Normal::Zero(kIntrinsics, kIntrinsics);
   for (std::size_t i = 0; i < views.board.size(); ++i) {
     normal += reduced_normal(views, solution, i, options);
   }
-  Eigen::Matrix<double, kIntrinsics, 1> scale;
+  Eigen::VectorXd scale(kIntrinsics);
   for (int i = 0; i < kIntrinsics; ++i) {
     if (!is_estimated(i, options)) normal(i, i) = 1;
     if (!(normal(i, i) > 0)) return {};
     scale[i] = 1 / std::sqrt(normal(i, i));
   }
-  const Normal9 scaled = scale.asDiagonal() * normal * scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Normal9> solver(scaled);
+  const Normal scaled = scale.asDiagonal() * normal * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Normal> solver(scaled);
   if (!(solver.eigenvalues()[0] > 1e-12)) return {};
-  Normal9 covariance =
-      variance * (scale.asDiagonal() * Normal9(scaled.inverse()) * scale.asDiagonal());
+  Normal covariance =
+      variance * (scale.asDiagonal() * Normal(scaled.inverse()) * scale.asDiagonal());
   for (int i = 0; i < kIntrinsics; ++i) {
     if (is_estimated(i, options)) continue;
     covariance.row(i).setZero();

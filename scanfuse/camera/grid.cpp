@@ -1,7 +1,9 @@
 #include "scanfuse/camera/grid.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -47,6 +49,15 @@ Eigen::Matrix3d conditioner(const Corners& points) {
   for (const auto& p : points) spread += (p - mean).squaredNorm();
   const double s = std::sqrt(2.0 * static_cast<double>(points.size()) / std::max(spread, 1e-300));
   return (Eigen::Matrix3d() << s, 0, -s * mean.x(), 0, s, -s * mean.y(), 0, 0, 1).finished();
+}
+
+/// Adds a a' to the normal matrix.
+void add_row(Eigen::MatrixXd& normal, const std::array<double, 9>& a) {
+  for (int i = 0; i < 9; ++i) {
+    for (int j = 0; j < 9; ++j) {
+      normal(i, j) += a[static_cast<std::size_t>(i)] * a[static_cast<std::size_t>(j)];
+    }
+  }
 }
 
 Corners grid_points(const BoardSpec& spec) {
@@ -121,20 +132,17 @@ Eigen::Matrix3d grid_homography(const Corners& corners, const BoardSpec& spec) {
   const Corners grid = grid_points(spec);
   const Eigen::Matrix3d to_px = conditioner(corners), to_grid = conditioner(grid);
   // Each corner gives two rows of A h = 0; h is the eigenvector of A'A of the smallest eigenvalue.
-  Eigen::Matrix<double, 9, 9> normal = Eigen::Matrix<double, 9, 9>::Zero();
+  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(9, 9);
   for (std::size_t i = 0; i < grid.size(); ++i) {
     const Eigen::Vector3d g = to_grid * grid[i].homogeneous();
     const Eigen::Vector3d p = to_px * corners[i].homogeneous();
-    Eigen::Matrix<double, 2, 9> a = Eigen::Matrix<double, 2, 9>::Zero();
-    a.block<1, 3>(0, 0) = a.block<1, 3>(1, 3) = g.transpose();
-    a.block<1, 3>(0, 6) = -p.x() * g.transpose();
-    a.block<1, 3>(1, 6) = -p.y() * g.transpose();
-    normal += a.transpose() * a;
+    add_row(normal, {g.x(), g.y(), g.z(), 0, 0, 0, -p.x() * g.x(), -p.x() * g.y(), -p.x() * g.z()});
+    add_row(normal, {0, 0, 0, g.x(), g.y(), g.z(), -p.y() * g.x(), -p.y() * g.y(), -p.y() * g.z()});
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 9, 9>> solver(normal);
-  const Eigen::Matrix<double, 9, 1> h = solver.eigenvectors().col(0);
-  const Eigen::Matrix3d inner =
-      Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(h.data());
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(normal);
+  const auto h = solver.eigenvectors().col(0);
+  Eigen::Matrix3d inner;
+  inner << h[0], h[1], h[2], h[3], h[4], h[5], h[6], h[7], h[8];
   Eigen::Matrix3d whole = to_px.inverse() * inner * to_grid;
   return whole / whole(2, 2);
 }

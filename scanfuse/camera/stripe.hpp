@@ -37,7 +37,9 @@ constexpr auto choices(Mosaic) {
 struct StripeOptions {
   LaserChannel channel = LaserChannel::kDetect;
   Mosaic mosaic = Mosaic::kDetect;
-  double border_widths = 2;
+  double margin_squares = 1;
+  double border_widths = 2.5;
+  double piece_widths = 1.5;
   double min_contrast = 8;
   double min_squares = 2;
 
@@ -46,9 +48,13 @@ struct StripeOptions {
     return std::tuple{
         Field{"channel", &O::channel, "channel that shows the laser"},
         Field{"mosaic", &O::mosaic, "colour mosaic of raw one-channel images"},
+        Field{"margin_squares", &O::margin_squares, 0.0, 20.0,
+              "how far the flat plate reaches beyond the inner corners, in squares"},
         Field{"border_widths", &O::border_widths, 0.0, 10.0,
-              "points nearer to a square's border than this many stripe widths (sigma) are left "
-              "out; never more than leaves the inner quarter of a square"},
+              "points nearer to a square's border than this many widths (sigma) of the smoothed "
+              "stripe are left out, but none further from it than a quarter of a square's side"},
+        Field{"piece_widths", &O::piece_widths, 0.1, 100.0,
+              "each point is a mean over this many widths (sigma) of the smoothed stripe"},
         Field{"min_contrast", &O::min_contrast, 1.0, 255.0,
               "a stripe stands out from its surroundings by at least this many counts"},
         Field{"min_squares", &O::min_squares, 0.5, 100.0,

@@ -12,6 +12,7 @@ constexpr double kOnSigmas = 4;
 constexpr double kLeastTolerance_m = 5e-4;
 /// Two neighbouring returns of the background differ by no more, in steps across the plane.
 constexpr double kBackgroundSlope = 2;
+constexpr int kMostMixedInRow = 6;
 
 /// Beams of the neighbourhood as a raster of their own.
 struct Neighbourhood {
@@ -69,33 +70,54 @@ Neighbourhood look_around(const BeamGrid& grid, const PlaneFit& plane,
   return near;
 }
 
+/// Where a beam stands in the neighbourhood.
+struct Seat {
+  int profile = 0;
+  int column = 0;
+};
+
 /// The neighbour that lies furthest out from the middle.
-const Neighbourhood::Cell* outward(const Neighbourhood& near, int profile, int column,
-                                   const Eigen::Vector2d& around) {
-  const Neighbourhood::Cell* best = nullptr;
-  double furthest = (near.at(profile, column)->place - around).norm();
+std::optional<Seat> outward(const Neighbourhood& near, Seat seat, const Eigen::Vector2d& around) {
+  std::optional<Seat> best;
+  double furthest = (near.at(seat.profile, seat.column)->place - around).norm();
   for (const auto& [dp, db] : {std::pair{0, 1}, {0, -1}, {1, 0}, {-1, 0}}) {
-    const auto* cell = near.at(profile + dp, column + db);
+    const Seat next{seat.profile + dp, seat.column + db};
+    const auto* cell = near.at(next.profile, next.column);
     if (cell == nullptr) continue;
     const double out = (cell->place - around).norm();
     if (out <= furthest) continue;
     furthest = out;
-    best = cell;
+    best = next;
   }
   return best;
 }
 
+/// Whether anything came back from further out: several mixed beams in a row may be missing.
+bool is_backed(const Neighbourhood& near, Seat seat, const Eigen::Vector2d& around) {
+  for (int k = 0; k < kMostMixedInRow; ++k) {
+    const auto next = outward(near, seat, around);
+    if (!next) return false;
+    if (std::isfinite(near.at(next->profile, next->column)->off_m)) return true;
+    seat = *next;
+  }
+  return false;
+}
+
 /// What a beam that is not on the target is; nothing for one that tells nothing.
-std::optional<BeamState> state_off(const Neighbourhood::Cell& cell,
-                                   const Neighbourhood::Cell* beyond) {
+std::optional<BeamState> state_off(const Neighbourhood& near, Seat seat,
+                                   const Eigen::Vector2d& around) {
+  const auto& cell = *near.at(seat.profile, seat.column);
   const bool returned = std::isfinite(cell.off_m);
-  if (beyond == nullptr) return returned ? BeamState::kBeyond : BeamState::kNothing;
-  if (beyond->on) return std::nullopt;
-  const bool beyond_returned = std::isfinite(beyond->off_m);
-  if (!returned) return beyond_returned ? BeamState::kMixed : BeamState::kNothing;
-  if (!beyond_returned) return BeamState::kMixed;
-  const double apart = (cell.place - beyond->place).norm();
-  const bool level = std::abs(cell.off_m - beyond->off_m) <= kBackgroundSlope * apart;
+  const auto next = outward(near, seat, around);
+  if (!next) return returned ? BeamState::kBeyond : BeamState::kNothing;
+  const auto& beyond = *near.at(next->profile, next->column);
+  if (beyond.on) return std::nullopt;
+  if (!returned) {
+    return is_backed(near, seat, around) ? BeamState::kMixed : BeamState::kNothing;
+  }
+  if (!std::isfinite(beyond.off_m)) return BeamState::kMixed;
+  const double apart = (cell.place - beyond.place).norm();
+  const bool level = std::abs(cell.off_m - beyond.off_m) <= kBackgroundSlope * apart;
   return level ? BeamState::kBeyond : BeamState::kMixed;
 }
 
@@ -138,7 +160,7 @@ std::vector<EdgeBeam> edge_beams(const BeamGrid& grid, const PlaneFit& plane,
       EdgeBeam beam;
       beam.place_m = cell->place;
       if (!cell->on) {
-        const auto state = state_off(*cell, outward(near, p, b, around));
+        const auto state = state_off(near, {p, b}, around);
         if (!state) continue;
         beam.state = *state;
       }
