@@ -8,6 +8,7 @@
 #include "scanfuse/calibrate/rig_error.hpp"
 #include "scanfuse/calibrate/turntable.hpp"
 #include "scanfuse/io/atomic_file.hpp"
+#include "scanfuse/io/image.hpp"
 #include "scanfuse/io/session/rig_toml.hpp"
 #include "scanfuse/pipeline/turntable_session.hpp"
 #include "scanfuse/report/turntable_report.hpp"
@@ -109,12 +110,19 @@ void tell_oddities(const TurntableCalibration& calibration, const LoadedSession&
   }
 }
 
+report::ReportPicture picture_of(const pipeline::Thumbnail& small) {
+  if (small.image.pixels.empty()) return {};
+  auto png = io::print_png(small.image);
+  if (!png) return {};
+  return {std::move(*png), small.image.width_px, small.image.height_px, small.scale};
+}
+
 report::TurntableReport report_of(const TurntableCalibration& calibration,
                                   const LoadedSession& session,
                                   const CalibrateArguments& arguments) {
   report::TurntableReport report;
   report.title = arguments.session;
-  report.features = &session.features;
+  report.features = session.features;
   report.rig = calibration.rig;
   report.camera_from_board = calibration.camera_from_board;
   report.method = scanfuse::detail::print(calibration.method);
@@ -125,7 +133,7 @@ report::TurntableReport report_of(const TurntableCalibration& calibration,
                     {table.x_axis_deg.mean, table.x_axis_deg.max}}};
   report.warnings = calibration.warnings;
   report.chi2_per_dof = calibration.chi2_per_dof;
-  if (!session.board.image.pixels.empty()) report.board = {session.board.image, session.board.scale};
+  report.board = picture_of(session.board);
   for (std::size_t k = 0; k < calibration.positions.size(); ++k) {
     const auto& from = calibration.positions[k];
     report::ReportedPosition to;
@@ -135,13 +143,9 @@ report::TurntableReport report_of(const TurntableCalibration& calibration,
     to.reason = reason_of(calibration, session, k);
     to.stripe_px = from.stripe_px;
     to.lidar_m = from.lidar_m;
-    to.stripe_offset_px = from.stripe_offset_px;
-    to.lidar_offset_m = from.lidar_offset_m;
     to.correction_rad = from.turntable_correction_rad;
     to.returns = from.returns;
-    if (k < session.stripes.size()) {
-      to.thumbnail = {session.stripes[k].image, session.stripes[k].scale};
-    }
+    if (k < session.stripes.size()) to.picture = picture_of(session.stripes[k]);
     report.positions.push_back(std::move(to));
   }
   report.point_sigma = [rig = calibration.rig](double turntable_rad, double range_m) {

@@ -4,8 +4,11 @@
 
 namespace scanfuse::report {
 
-/// The files marks.js with viewer.js, and page.css, embedded when building.
+/// The files marks.js with viewer.js, and page.css, embedded when building; turntable_viewer.js and
+/// turntable.css, which comes after page.css.
 [[nodiscard]] std::string_view viewer_script();
 [[nodiscard]] std::string_view page_style();
+[[nodiscard]] std::string_view turntable_script();
+[[nodiscard]] std::string_view turntable_style();
 
 }  // namespace scanfuse::report
