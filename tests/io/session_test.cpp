@@ -65,7 +65,7 @@ TEST(SessionFile, FaultsNameTheirPlaceAndTheRemedy) {
   EXPECT_THAT(fault_of(replaced(kSession, "square_mm = 20", "square_mm = -3")),
               HasSubstr("square_mm needs a number"));
   EXPECT_THAT(fault_of(replaced(kSession, "\"mm\"", "\"inch\"")),
-              AllOf(HasSubstr("session.toml:22:"), HasSubstr("none of: m, mm")));
+              AllOf(HasSubstr("session.toml:23:"), HasSubstr("none of: m, mm")));
   EXPECT_THAT(fault_of(replaced(kSession, "[[board]]\nrows = 2\ncolumns = 2\nsquare_m = 0.02\n", "")),
               HasSubstr("a V has two"));
   EXPECT_THAT(fault_of(replaced(kSession, "first_deg = -1\n", "angles_deg = [1, 2]\n")),
