@@ -102,8 +102,7 @@ void tell_oddities(const TurntableCalibration& calibration, const LoadedSession&
   for (std::size_t k = 0; k < calibration.positions.size(); ++k) {
     if (calibration.positions[k].used) continue;
     fmt::print(stderr, "scanfuse: left out {} ({:.3f} deg): {}\n", calibration.positions[k].name,
-               degrees(calibration.positions[k].turntable_rad),
-               reason_of(calibration, session, k));
+               degrees(calibration.positions[k].turntable_rad), reason_of(calibration, session, k));
   }
   for (const auto& warning : calibration.warnings) {
     fmt::print(stderr, "scanfuse: warning: {}\n", warning);
@@ -281,9 +280,8 @@ void add_turntable(CLI::App& calibrate, const Tool& tool) {
       ->allow_extra_args(false);
   app->add_flag("--json", arguments->json, "One JSON object on stdout");
   app->footer(calibrate_help());
-  app->callback([arguments, tool] {
-    *tool.exit_code = run_calibrate_turntable(*arguments, *tool.common);
-  });
+  app->callback(
+      [arguments, tool] { *tool.exit_code = run_calibrate_turntable(*arguments, *tool.common); });
 }
 
 void add_pose(CLI::App& calibrate, const Tool& tool) {

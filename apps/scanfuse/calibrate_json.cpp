@@ -17,13 +17,22 @@ json matrix(const calibrate::RigCovariance& m) {
   return rows;
 }
 
-json mean_max(const calibrate::MeanMax& value) { return {{"mean", value.mean}, {"max", value.max}}; }
+json mean_max(const calibrate::MeanMax& value) {
+  return {{"mean", value.mean}, {"max", value.max}};
+}
 
 json camera_json(const Camera& camera) {
-  return {{"width_px", camera.width_px}, {"height_px", camera.height_px}, {"fx_px", camera.fx_px},
-          {"fy_px", camera.fy_px},       {"cx_px", camera.cx_px},         {"cy_px", camera.cy_px},
-          {"k1", camera.k1},             {"k2", camera.k2},               {"p1", camera.p1},
-          {"p2", camera.p2},             {"k3", camera.k3}};
+  return {{"width_px", camera.width_px},
+          {"height_px", camera.height_px},
+          {"fx_px", camera.fx_px},
+          {"fy_px", camera.fy_px},
+          {"cx_px", camera.cx_px},
+          {"cy_px", camera.cy_px},
+          {"k1", camera.k1},
+          {"k2", camera.k2},
+          {"p1", camera.p1},
+          {"p2", camera.p2},
+          {"k3", camera.k3}};
 }
 
 }  // namespace

@@ -119,9 +119,9 @@ CropBox first_crop(const MeasureInput& input) {
 }
 
 void add_plane_rows(const calibrate::PlaneMeasure& plane, MeasureResult& result) {
-  result.rows.emplace_back("normal", fmt::format("({:.5f}, {:.5f}, {:.5f}) +- {:.4f} deg",
-                                                 plane.normal.x(), plane.normal.y(),
-                                                 plane.normal.z(), degrees(plane.tilt_rad.sigma())));
+  result.rows.emplace_back(
+      "normal", fmt::format("({:.5f}, {:.5f}, {:.5f}) +- {:.4f} deg", plane.normal.x(),
+                            plane.normal.y(), plane.normal.z(), degrees(plane.tilt_rad.sigma())));
   result.rows.emplace_back("distance", with_sigma(plane.distance_m));
   result.rows.emplace_back("rms", fmt::format("{:.3f} mm over {} points, {} left out",
                                               plane.rms_m * 1e3, plane.points, plane.left_out));
@@ -155,7 +155,8 @@ Result<MeasureResult> disc_result(const MeasureInput& input) {
                    {"area_diameter_mm", disc->area_diameter_m * 1e3}};
   result.rows.emplace_back("diameter", with_sigma(disc->diameter_m));
   const Eigen::Vector3d c = disc->centre_m * 1e3;
-  result.rows.emplace_back("centre", fmt::format("({:.2f}, {:.2f}, {:.2f}) mm", c.x(), c.y(), c.z()));
+  result.rows.emplace_back("centre",
+                           fmt::format("({:.2f}, {:.2f}, {:.2f}) mm", c.x(), c.y(), c.z()));
   result.rows.emplace_back("plane", fmt::format("rms {:.3f} mm over {} points",
                                                 disc->plane.rms_m * 1e3, disc->plane.points));
   if (disc->by_area) {
@@ -235,9 +236,8 @@ void add_kind(CLI::App& measure, const Tool& tool, const std::string& name, cons
   app->footer("Settings (--set measure.NAME=VALUE):\n" +
               settings_help(view_options("measure", calibrate::MeasureOptions{})) +
               "Example:\n  scanfuse measure " + example + "\n");
-  app->callback([arguments, tool, kind] {
-    *tool.exit_code = run_measure(*arguments, *tool.common, kind);
-  });
+  app->callback(
+      [arguments, tool, kind] { *tool.exit_code = run_measure(*arguments, *tool.common, kind); });
 }
 
 }  // namespace

@@ -3,13 +3,13 @@
 #include <system_error>
 
 #include "command.hpp"
+#include "scanfuse/core/parallel.hpp"
 #include "scanfuse/io/atomic_file.hpp"
 #include "scanfuse/io/image.hpp"
 #include "scanfuse/io/session/features_json.hpp"
 #include "scanfuse/io/session/rig_toml.hpp"
 #include "scanfuse/io/session/scan_table.hpp"
 #include "scanfuse/io/session/session_folder.hpp"
-#include "scanfuse/core/parallel.hpp"
 #include "scanfuse/simulate/turntable_features.hpp"
 #include "scanfuse/simulate/turntable_images.hpp"
 
@@ -33,8 +33,10 @@ Result<void> apply_turntable_settings(TurntableArguments& arguments) {
   for (const std::string& set : arguments.sets) {
     const auto setting = split_setting(set);
     if (!setting) {
-      return fail(Error::Code::kMalformed, "--set {}: write world.name=value, noise.name=value or "
-                  "images.name=value", set);
+      return fail(Error::Code::kMalformed,
+                  "--set {}: write world.name=value, noise.name=value or "
+                  "images.name=value",
+                  set);
     }
     Result<void> done;
     if (setting->section == "world") {
@@ -44,7 +46,8 @@ Result<void> apply_turntable_settings(TurntableArguments& arguments) {
     } else if (setting->section == "images") {
       done = set_option(arguments.images, setting->name, setting->value);
     } else {
-      done = fail(Error::Code::kNotFound, "--set {}: the sections are world, noise and images", set);
+      done =
+          fail(Error::Code::kNotFound, "--set {}: the sections are world, noise and images", set);
     }
     if (!done) return done;
   }
@@ -157,9 +160,8 @@ void add_simulate_turntable(CLI::App& simulate, const Tool& tool) {
   app->add_option("--set", arguments->sets, "Change a setting: section.name=value")
       ->allow_extra_args(false);
   app->footer(turntable_help());
-  app->callback([arguments, tool] {
-    *tool.exit_code = run_simulate_turntable(*arguments, *tool.common);
-  });
+  app->callback(
+      [arguments, tool] { *tool.exit_code = run_simulate_turntable(*arguments, *tool.common); });
 }
 
 }  // namespace scanfuse::app

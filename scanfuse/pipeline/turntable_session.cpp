@@ -166,8 +166,8 @@ Result<void> find_camera(const io::SessionFolder& session, const SessionLoadOpti
                 "{}: no [camera]: give its intrinsics, or images to calibrate it from",
                 (session.folder / "session.toml").string());
   }
-  auto made = calibrate_camera_from(session.camera_images, session.about.camera_images->board,
-                                    options);
+  auto made =
+      calibrate_camera_from(session.camera_images, session.about.camera_images->board, options);
   if (!made) return tl::unexpected(made.error());
   for (const auto& fault : made->left_out) {
     loaded.diagnostics.note("camera image without the board left out", fault);

@@ -35,8 +35,8 @@ struct Thumbnail {
 };
 
 struct LoadedSession {
-  TurntableFeatures features;  ///< positions in order of their angle
-  std::vector<io::LeftOut> left_out;  ///< positions (by number in `features`) and why
+  TurntableFeatures features;                       ///< positions in order of their angle
+  std::vector<io::LeftOut> left_out;                ///< positions (by number in `features`) and why
   std::optional<camera::CameraCalibration> camera;  ///< where it was calibrated from images
   Thumbnail board;
   std::vector<Thumbnail> stripes;  ///< one a position where thumbnails were asked for

@@ -27,16 +27,16 @@ double block_sigma(const Rig& rig, int first, int count) {
 double worst_in_arc_mm(const TurntableReport& report) {
   double worst = 0;
   for (int k = 0; k <= 20; ++k) {
-    const double angle =
-        report.rig.first_turntable_rad +
-        (report.rig.last_turntable_rad - report.rig.first_turntable_rad) * k / 20;
+    const double angle = report.rig.first_turntable_rad +
+                         (report.rig.last_turntable_rad - report.rig.first_turntable_rad) * k / 20;
     worst = std::max(worst, report.point_sigma(angle, kRange_m) * 1e3);
   }
   return worst;
 }
 
 std::string verdict(const TurntableReport& report) {
-  std::string text = fmt::format("{} of {} positions used. ", used(report), report.positions.size());
+  std::string text =
+      fmt::format("{} of {} positions used. ", used(report), report.positions.size());
   if (report.point_sigma && !report.rig.covariance.isZero(0)) {
     text += fmt::format(
         "Within the calibrated arc a point at {} m is placed to {:.2f} mm (one standard deviation, "
@@ -62,25 +62,29 @@ ReportTable rig_table(const TurntableReport& report) {
   table.rows = {
       {"axis direction", fmt::format("{:.6f}, {:.6f}, {:.6f}", n.x(), n.y(), n.z()),
        sigma(0, 2, degrees(1), "deg")},
-      {"axis point nearest to the camera", fmt::format("{:.3f}, {:.3f}, {:.3f} mm", p.x(), p.y(), p.z()),
-       sigma(2, 2, 1e3, "mm")},
+      {"axis point nearest to the camera",
+       fmt::format("{:.3f}, {:.3f}, {:.3f} mm", p.x(), p.y(), p.z()), sigma(2, 2, 1e3, "mm")},
       {"lidar centre at angle 0", fmt::format("{:.3f}, {:.3f}, {:.3f} mm", c.x(), c.y(), c.z()),
        sigma(7, 3, 1e3, "mm")},
       {"lidar axes", "", sigma(4, 3, degrees(1), "deg")},
       {"range bias", fmt::format("{:.3f} mm", rig.range_bias_m * 1e3), sigma(10, 1, 1e3, "mm")},
       {"turn over commanded turn", fmt::format("{:.6f}", rig.angle_scale), sigma(11, 1, 1, "")},
-      {"calibrated arc", fmt::format("{:.2f} to {:.2f} deg", degrees(rig.first_turntable_rad),
-                                     degrees(rig.last_turntable_rad)), ""},
-      {"rms of corners, stripe, lidar", fmt::format("{:.3f} px, {:.3f} px, {:.3f} mm",
-                                                    report.rms[0], report.rms[1], report.rms[2]), ""},
-      {"chi-squared per degree of freedom", fmt::format("{:.3f}", report.chi2_per_dof), "1 is right"}};
+      {"calibrated arc",
+       fmt::format("{:.2f} to {:.2f} deg", degrees(rig.first_turntable_rad),
+                   degrees(rig.last_turntable_rad)),
+       ""},
+      {"rms of corners, stripe, lidar",
+       fmt::format("{:.3f} px, {:.3f} px, {:.3f} mm", report.rms[0], report.rms[1], report.rms[2]),
+       ""},
+      {"chi-squared per degree of freedom", fmt::format("{:.3f}", report.chi2_per_dof),
+       "1 is right"}};
   return table;
 }
 
 ReportTable table1(const TurntableReport& report) {
   const auto& ours = report.table1;
-  ReportTable table{"Beside Table 1 of [Liu2023]",
-                    {"", "lidar centre, mm", "z axis, deg", "x axis, deg"}, {}};
+  ReportTable table{
+      "Beside Table 1 of [Liu2023]", {"", "lidar centre, mm", "z axis, deg", "x axis, deg"}, {}};
   const auto row = [&](const char* name, std::size_t k) {
     return std::vector<std::string>{name, fmt::format("{:.2f}", ours[0][k]),
                                     fmt::format("{:.3f}", ours[1][k]),
@@ -116,7 +120,8 @@ Chart residual_chart(const TurntableReport& report, const char* title, const cha
 }
 
 std::string charts(const TurntableReport& report) {
-  std::string html = "<section class=\"card\"><h2>Residuals of each position</h2><div class=\"charts\">\n";
+  std::string html =
+      "<section class=\"card\"><h2>Residuals of each position</h2><div class=\"charts\">\n";
   html += line_chart(residual_chart(
       report, "Stripe, rms distance from the model", "px",
       [](const auto& p, std::size_t b) { return p.stripe_px[b]; }, 2));
@@ -163,11 +168,13 @@ std::string turntable_page(const TurntableReport& report) {
   html += "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">";
   html += fmt::format("<title>{}</title>\n<style>\n{}{}</style></head>\n",
                       escape_html(report.title), page_style(), turntable_style());
-  html += fmt::format("<body><header><h1>Turntable calibration: {}</h1><p class=\"verdict\">{}</p>"
-                      "</header>\n<main>\n",
-                      escape_html(report.title), escape_html(verdict(report)));
+  html += fmt::format(
+      "<body><header><h1>Turntable calibration: {}</h1><p class=\"verdict\">{}</p>"
+      "</header>\n<main>\n",
+      escape_html(report.title), escape_html(verdict(report)));
   html += warning_list(report);
-  html += "<div class=\"pair\">" + html_table(rig_table(report)) + html_table(table1(report)) + "</div>\n";
+  html += "<div class=\"pair\">" + html_table(rig_table(report)) + html_table(table1(report)) +
+          "</div>\n";
   html += "<section class=\"card\"><h2>How sure a point is</h2>" + error_band_chart(report) +
           "</section>\n";
   html += kView;
@@ -177,8 +184,8 @@ std::string turntable_page(const TurntableReport& report) {
     html += "<section class=\"card\"><h2>What was found</h2><div class=\"found\">\n" + pictures +
             "</div></section>\n";
   }
-  html += "</main>\n<script id=\"scene\" type=\"application/json\">" + turntable_scene_json(report) +
-          "</script>\n<script>\n";
+  html += "</main>\n<script id=\"scene\" type=\"application/json\">" +
+          turntable_scene_json(report) + "</script>\n<script>\n";
   return html + std::string(turntable_script()) + "</script></body></html>\n";
 }
 

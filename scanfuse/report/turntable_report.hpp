@@ -23,7 +23,7 @@ struct ReportedPosition {
   std::string name;
   double turntable_rad = 0;
   bool used = false;
-  std::string reason;                ///< why it was left out
+  std::string reason;                 ///< why it was left out
   std::array<double, 2> stripe_px{};  ///< rms of each board
   std::array<double, 2> lidar_m{};
   double correction_rad = 0;  ///< of the turntable's angle

@@ -89,8 +89,13 @@ void add_rig(const Rig& rig, SceneWriter& scene) {
   const Pose3 pose = rig.pose((first + last) / 2);
   for (int axis = 0; axis < 3; ++axis) {
     scene.line({pose.translation_m, pose * Eigen::Vector3d(0.15 * Eigen::Vector3d::Unit(axis))},
-               axis == 0 ? "--s1" : axis == 1 ? "--s2" : "--s0", 2,
-               axis == 0 ? "lidar x" : axis == 1 ? "y" : "z");
+               axis == 0   ? "--s1"
+               : axis == 1 ? "--s2"
+                           : "--s0",
+               2,
+               axis == 0   ? "lidar x"
+               : axis == 1 ? "y"
+                           : "z");
   }
 }
 
@@ -191,10 +196,9 @@ std::string position_pictures(const TurntableReport& report) {
     html += picture_svg(position.picture, report.features.positions[k].stripe_px, 8, 2);
     html += fmt::format("<figcaption>{} &middot; {:.2f}&deg;<br>{}</figcaption></figure>\n",
                         escape_html(position.name), degrees(position.turntable_rad),
-                        position.used
-                            ? fmt::format("{:.2f}, {:.2f} px", position.stripe_px[0],
-                                          position.stripe_px[1])
-                            : "left out: " + escape_html(position.reason));
+                        position.used ? fmt::format("{:.2f}, {:.2f} px", position.stripe_px[0],
+                                                    position.stripe_px[1])
+                                      : "left out: " + escape_html(position.reason));
   }
   return html;
 }

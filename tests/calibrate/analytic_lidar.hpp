@@ -26,8 +26,8 @@ struct FlatThing {
     const double t = -from.z() / along.z();
     if (!(t > 0)) return std::nullopt;
     const Eigen::Vector2d at = (from + t * along).head<2>();
-    const bool inside = radius_m > 0 ? at.norm() <= radius_m
-                                     : (at.cwiseAbs().array() <= half_m.array()).all();
+    const bool inside =
+        radius_m > 0 ? at.norm() <= radius_m : (at.cwiseAbs().array() <= half_m.array()).all();
     return inside ? std::optional(t) : std::nullopt;
   }
 };
@@ -120,8 +120,8 @@ inline FlatThing placed_disc(std::uint64_t placement, double radius_m = 0.07) {
   FlatThing disc;
   disc.radius_m = radius_m;
   const Eigen::Vector3d tilt(random.uniform(-0.6, 0.6), random.uniform(-0.6, 0.6), 0);
-  disc.camera_from_thing.rotation = Eigen::Quaterniond(
-      Eigen::AngleAxisd(std::max(tilt.norm(), 1e-9), tilt.normalized()));
+  disc.camera_from_thing.rotation =
+      Eigen::Quaterniond(Eigen::AngleAxisd(std::max(tilt.norm(), 1e-9), tilt.normalized()));
   disc.camera_from_thing.translation_m = {0.2 + random.uniform(-0.08, 0.08),
                                           0.05 + random.uniform(-0.08, 0.08),
                                           1.2 + random.uniform(-0.05, 0.05)};

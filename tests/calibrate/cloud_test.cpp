@@ -232,8 +232,7 @@ TEST(MeasureDistance, BetweenTwoSheets) {
 }
 
 TEST(MeasureSize, SidesOfATurnedRectangle) {
-  const auto made =
-      assembled({rectangle(0.1, 0.06, 1.2, 0.3), wall_at(2.0)}, LidarModel{}, 22);
+  const auto made = assembled({rectangle(0.1, 0.06, 1.2, 0.3), wall_at(2.0)}, LidarModel{}, 22);
   CropBox box;
   box.high_m.z() = 1.3;
   const auto size = measure_size(made.cloud, box, {}, std::nullopt);

@@ -1,10 +1,11 @@
+#include "scanfuse/io/cloud/cloud_file.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "io/temporary_folder.hpp"
-#include "scanfuse/io/cloud/cloud_file.hpp"
 
 namespace scanfuse::io {
 namespace {

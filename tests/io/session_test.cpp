@@ -66,8 +66,9 @@ TEST(SessionFile, FaultsNameTheirPlaceAndTheRemedy) {
               HasSubstr("square_mm needs a number"));
   EXPECT_THAT(fault_of(replaced(kSession, "\"mm\"", "\"inch\"")),
               AllOf(HasSubstr("session.toml:23:"), HasSubstr("none of: m, mm")));
-  EXPECT_THAT(fault_of(replaced(kSession, "[[board]]\nrows = 2\ncolumns = 2\nsquare_m = 0.02\n", "")),
-              HasSubstr("a V has two"));
+  EXPECT_THAT(
+      fault_of(replaced(kSession, "[[board]]\nrows = 2\ncolumns = 2\nsquare_m = 0.02\n", "")),
+      HasSubstr("a V has two"));
   EXPECT_THAT(fault_of(replaced(kSession, "first_deg = -1\n", "angles_deg = [1, 2]\n")),
               HasSubstr("angles_deg or first_deg"));
   EXPECT_THAT(fault_of(replaced(kSession, "fx_px = 2757.4\n", "")), HasSubstr("fx_px is missing"));
@@ -88,7 +89,8 @@ TEST(ScanTable, CodesNanAndZeroAreNoRange) {
   const auto scan =
       scan_of("angle,range\n0,1\n1,0\n2,nan\n3,65.535\n4,-1\n5,\n6,inf\n7,2\n8,1.5\n", lidar);
   ASSERT_EQ(scan.size(), 9u);
-  for (const std::size_t k : {1u, 2u, 3u, 4u, 5u, 6u}) EXPECT_TRUE(std::isnan(scan[k].range_m)) << k;
+  for (const std::size_t k : {1u, 2u, 3u, 4u, 5u, 6u})
+    EXPECT_TRUE(std::isnan(scan[k].range_m)) << k;
   EXPECT_DOUBLE_EQ(scan[7].range_m, 2);
   EXPECT_NEAR(scan[7].angle_rad, radians(7), 1e-15);
 }
@@ -114,8 +116,8 @@ TEST(ScanTable, MillimetresDeclaredAsMetresAreSaid) {
               AllOf(HasSubstr("scan_0003.csv"), HasSubstr("range_unit = \"mm\"")));
   LidarConventions radians_declared;
   radians_declared.angle_unit_rad = 1;
-  const auto angles = parse_scan_table("angle,range\n-45,1\n0,1\n45,1\n", "s.csv",
-                                       radians_declared, diagnostics);
+  const auto angles =
+      parse_scan_table("angle,range\n-45,1\n0,1\n45,1\n", "s.csv", radians_declared, diagnostics);
   ASSERT_FALSE(angles);
   EXPECT_THAT(angles.error().message, HasSubstr("angle_unit = \"deg\""));
   EXPECT_FALSE(parse_scan_table("angle,range\n0,0\n1,0\n", "s.csv", {}, diagnostics));
@@ -202,9 +204,9 @@ TEST(RigToml, WhatIsWrittenReadsBack) {
   ASSERT_TRUE(again) << again.error().message;
   EXPECT_LT((again->rig.axis_direction - file.rig.axis_direction).norm(), 1e-15);
   EXPECT_LT((again->rig.axis_point_m - file.rig.axis_point_m).norm(), 1e-15);
-  EXPECT_LT(again->rig.camera_from_lidar.rotation.angularDistance(
-                file.rig.camera_from_lidar.rotation),
-            1e-14);
+  EXPECT_LT(
+      again->rig.camera_from_lidar.rotation.angularDistance(file.rig.camera_from_lidar.rotation),
+      1e-14);
   EXPECT_EQ(again->rig.covariance, file.rig.covariance);
   EXPECT_FALSE(again->camera);
 }

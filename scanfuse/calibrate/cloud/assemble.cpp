@@ -39,15 +39,14 @@ Result<AssembledCloud> assemble(std::span<const TurntablePosition> scans, const 
       const int column = raster.columns[p][k];
       if (!std::isfinite(beam.range_m) || column < 0) continue;
       ++made.returns;
-      const bool is_mixed =
-          mixed[p * raster.image.beams + static_cast<std::size_t>(column)];
+      const bool is_mixed = mixed[p * raster.image.beams + static_cast<std::size_t>(column)];
       made.mixed += is_mixed ? 1 : 0;
       if (is_mixed && !options.keep_mixed) continue;
       const double range = beam.range_m - rig.range_bias_m;
       const Eigen::Vector3d in_lidar(range * std::cos(beam.angle_rad),
                                      range * std::sin(beam.angle_rad), 0);
-      made.cloud.points.push_back({profile.cloud_from_lidar * in_lidar, beam.intensity,
-                                   static_cast<int>(p), column});
+      made.cloud.points.push_back(
+          {profile.cloud_from_lidar * in_lidar, beam.intensity, static_cast<int>(p), column});
     }
     made.cloud.profiles.push_back(profile);
   }
@@ -64,8 +63,7 @@ Cloud reassembled(const Cloud& cloud, const Rig& made_with, const Rig& rig) {
   for (CloudPoint& point : moved.points) {
     if (point.profile < 0) continue;
     const auto p = static_cast<std::size_t>(point.profile);
-    Eigen::Vector3d in_lidar =
-        cloud.profiles[p].cloud_from_lidar.inverse() * point.position_m;
+    Eigen::Vector3d in_lidar = cloud.profiles[p].cloud_from_lidar.inverse() * point.position_m;
     in_lidar *= 1 + longer_m / std::max(in_lidar.norm(), 1e-6);
     point.position_m = moved.profiles[p].cloud_from_lidar * in_lidar;
   }

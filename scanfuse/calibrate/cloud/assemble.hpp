@@ -17,10 +17,10 @@ struct AssembleOptions {
 
 struct AssembledCloud {
   Cloud cloud;
-  std::int64_t returns = 0;    ///< with a valid range
-  std::int64_t mixed = 0;      ///< of them, found to be mixed
-  std::int64_t beyond_arc = 0; ///< scans outside the arc that was calibrated
-  double range_noise_m = 0;    ///< as the scans show it
+  std::int64_t returns = 0;     ///< with a valid range
+  std::int64_t mixed = 0;       ///< of them, found to be mixed
+  std::int64_t beyond_arc = 0;  ///< scans outside the arc that was calibrated
+  double range_noise_m = 0;     ///< as the scans show it
 };
 
 /// The scans of a rig as one cloud: P = R(psi) rho (cos theta, sin theta, 0)' + T(psi), the range

@@ -72,7 +72,8 @@ std::pair<int, int> BeamGrid::beams_around(int profile, const Eigen::Vector3d& p
   if (step_rad_ == 0) return {0, -1};
   const double angle =
       wrap_pi(angle_in_lidar(cloud_->profiles[static_cast<std::size_t>(profile)], p) - first_rad_);
-  const double from = (angle - half_width_rad) / step_rad_, to = (angle + half_width_rad) / step_rad_;
+  const double from = (angle - half_width_rad) / step_rad_,
+               to = (angle + half_width_rad) / step_rad_;
   const auto bounded = [&](double beam) {
     return static_cast<int>(std::clamp(beam, -1.0, static_cast<double>(last_beam_) + 1));
   };

@@ -124,7 +124,8 @@ std::optional<PlaneFit> find_background(const BeamGrid& grid, const Neighbourhoo
   }
   auto plane = fit_plane(points, rays);
   if (!plane || plane->rms_m > near.tolerance_m / 2) return std::nullopt;
-  if (static_cast<double>(plane->inliers.size()) < kMostlyFlat * static_cast<double>(points.size())) {
+  if (static_cast<double>(plane->inliers.size()) <
+      kMostlyFlat * static_cast<double>(points.size())) {
     return std::nullopt;
   }
   return plane;

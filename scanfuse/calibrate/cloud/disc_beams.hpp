@@ -22,8 +22,7 @@ struct EdgeBeam {
 
 /// Every beam that meets the plane within `reach_m` of `around` (in the plane), in order of profile
 /// and beam. Beams without a return inside the target are passed over.
-[[nodiscard]] std::vector<EdgeBeam> edge_beams(const BeamGrid& grid,
-                                               const PlaneFit& plane,
+[[nodiscard]] std::vector<EdgeBeam> edge_beams(const BeamGrid& grid, const PlaneFit& plane,
                                                const Eigen::Vector2d& around, double reach_m);
 
 }  // namespace scanfuse::calibrate

@@ -14,7 +14,7 @@ struct DiscEdge {
   /// Of centre, radius and spot; expected information, beams independent.
   Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();
   double log_likelihood = 0;
-  int edge_beams = 0;  ///< within twice the band of the edge
+  int edge_beams = 0;         ///< within twice the band of the edge
   double unbacked_share = 0;  ///< of the edge beams with nothing behind the edge
   bool converged = false;
 };
@@ -27,8 +27,8 @@ struct DiscEdge {
 ///
 /// with w = 0 where nothing is behind the edge: a beam then counts as on the disc when its middle
 /// is. Each gets one part in 10^4 of chance whatever the model says, so that a few beams that met
-/// something else do not steer it. `start` gives centre and radius to a few millimetres; `spacing_m`
-/// is the distance of neighbouring beams in the plane.
+/// something else do not steer it. `start` gives centre and radius to a few millimetres;
+/// `spacing_m` is the distance of neighbouring beams in the plane.
 [[nodiscard]] DiscEdge fit_disc_edge(std::span<const EdgeBeam> beams, const DiscEdge& start,
                                      double spacing_m);
 

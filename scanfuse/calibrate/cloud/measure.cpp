@@ -28,7 +28,8 @@ PlaneMeasure plane_with_rig(const Cloud& cloud, const FlatPart& part,
     return there ? plane_values(*there) : std::vector<double>{};
   });
   measure.distance_m.sigma_rig = sigmas[0];
-  measure.tilt_rad.sigma_rig = Eigen::Vector3d(sigmas[1], sigmas[2], sigmas[3]).norm() / std::sqrt(2);
+  measure.tilt_rad.sigma_rig =
+      Eigen::Vector3d(sigmas[1], sigmas[2], sigmas[3]).norm() / std::sqrt(2);
   return measure;
 }
 

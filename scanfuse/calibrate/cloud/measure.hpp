@@ -58,9 +58,9 @@ struct MeasureOptions {
 struct PlaneMeasure {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< towards the lidar
   Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();
-  Measured distance_m;   ///< from the frame's origin
-  Measured tilt_rad;     ///< of the normal out of its value; the value is 0, only sigma counts
-  double rms_m = 0;      ///< of the points, along the rays where profiles are known
+  Measured distance_m;  ///< from the frame's origin
+  Measured tilt_rad;    ///< of the normal out of its value; the value is 0, only sigma counts
+  double rms_m = 0;     ///< of the points, along the rays where profiles are known
   std::size_t points = 0;
   std::size_t left_out = 0;  ///< of those in the crop
 };
@@ -69,10 +69,10 @@ struct DiscMeasure {
   PlaneMeasure plane;
   Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();
   Measured diameter_m;
-  double centre_sigma_m = 0;       ///< in the plane, each way, from the points
-  double spot_m = 0;               ///< width of the band of mixed beams, as found
-  double outermost_diameter_m = 0; ///< circle through the outermost points, for comparison only
-  double area_diameter_m = 0;      ///< from the number of points, for comparison
+  double centre_sigma_m = 0;        ///< in the plane, each way, from the points
+  double spot_m = 0;                ///< width of the band of mixed beams, as found
+  double outermost_diameter_m = 0;  ///< circle through the outermost points, for comparison only
+  double area_diameter_m = 0;       ///< from the number of points, for comparison
   int edge_beams = 0;
   double unbacked_share = 0;  ///< of the edge with nothing behind it
   bool by_area = false;       ///< the cloud has no profiles: area_diameter_m is the result
@@ -97,8 +97,8 @@ struct SizeMeasure {
                                                  const std::optional<Rig>& rig);
 
 /// A round flat target. Of several surfaces in the crop the roundest flat one is taken. The edge
-/// lies between the last beam on the disc and the first beyond it; the circle is the most likely one
-/// given which beams met what (disc_likelihood.hpp), so that it does not shrink with the beams'
+/// lies between the last beam on the disc and the first beyond it; the circle is the most likely
+/// one given which beams met what (disc_likelihood.hpp), so that it does not shrink with the beams'
 /// spacing as the circle through the outermost points does. Without profiles, the diameter comes
 /// from how many points lie on the disc against how dense they lie in its middle.
 [[nodiscard]] Result<DiscMeasure> measure_disc(const Cloud& cloud, const CropBox& box,

@@ -15,8 +15,9 @@ struct MixedOptions {
   static constexpr auto fields() {
     using O = MixedOptions;
     return std::tuple{
-        Field{"tolerance_sigmas", &O::tolerance_sigmas, 1.0, 100.0,
-              "a return further from where a surface would go on, in standard deviations, is off it"},
+        Field{
+            "tolerance_sigmas", &O::tolerance_sigmas, 1.0, 100.0,
+            "a return further from where a surface would go on, in standard deviations, is off it"},
         Field{"least_noise_m", &O::least_noise_m, 0.0, 0.1,
               "range noise is taken to be no less than this"},
     };

@@ -84,8 +84,7 @@ bool improve(PlaneFit& plane, Vectors points, Vectors rays) {
   plane.rms_m = std::sqrt(squares / static_cast<double>(plane.inliers.size()));
   plane.covariance = normal_matrix.inverse() * std::max(squares / freedom, 1e-14);
   plane.centre_m += plane.normal() * step[0];
-  const Eigen::Vector3d turned =
-      plane.axes * Eigen::Vector3d(-step[1], -step[2], 1).normalized();
+  const Eigen::Vector3d turned = plane.axes * Eigen::Vector3d(-step[1], -step[2], 1).normalized();
   plane.axes = axes_of(turned, rays);
   return plane.centre_m.allFinite() && plane.axes.allFinite();
 }

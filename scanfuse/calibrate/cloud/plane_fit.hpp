@@ -10,17 +10,16 @@ namespace scanfuse::calibrate {
 
 /// A plane through points of a cloud, and how sure it is.
 struct PlaneFit {
-  Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();  ///< mean of the inliers, moved onto the plane
+  Eigen::Vector3d centre_m =
+      Eigen::Vector3d::Zero();  ///< mean of the inliers, moved onto the plane
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< columns u, v, normal; towards the lidar
-  double rms_m = 0;        ///< of the inliers: along the rays where they are known, else across
+  double rms_m = 0;  ///< of the inliers: along the rays where they are known, else across
   std::vector<std::size_t> inliers;
   /// Of the heights at the centre and the slopes along u and v: z = h + a x + b y.
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
 
   [[nodiscard]] Eigen::Vector3d normal() const { return axes.col(2); }
-  [[nodiscard]] double height(const Eigen::Vector3d& p) const {
-    return normal().dot(p - centre_m);
-  }
+  [[nodiscard]] double height(const Eigen::Vector3d& p) const { return normal().dot(p - centre_m); }
   [[nodiscard]] Eigen::Vector2d flat(const Eigen::Vector3d& p) const {
     return axes.leftCols<2>().transpose() * (p - centre_m);
   }

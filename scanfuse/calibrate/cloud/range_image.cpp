@@ -55,9 +55,9 @@ RangeRaster range_raster(std::span<const TurntablePosition> scans) {
   for (std::size_t p = 0; p < scans.size(); ++p) {
     int before = -1;
     for (const BeamReturn& beam : scans[p].scan) {
-      const int column = std::clamp(
-          static_cast<int>(std::lround((beam.angle_rad - first) / image.step_rad)), 0,
-          static_cast<int>(image.beams) - 1);
+      const int column =
+          std::clamp(static_cast<int>(std::lround((beam.angle_rad - first) / image.step_rad)), 0,
+                     static_cast<int>(image.beams) - 1);
       raster.columns[p].push_back(column > before ? column : -1);
       if (column <= before) continue;
       before = column;

@@ -27,8 +27,8 @@ bool same_surface(const BeamGrid& grid, const CloudPoint& a, const CloudPoint& b
   const Eigen::Vector3d from_a = a.position_m - grid.origin(a.profile);
   const Eigen::Vector3d from_b = b.position_m - grid.origin(b.profile);
   const double range = std::min(from_a.norm(), from_b.norm());
-  const double gap = range * std::acos(std::clamp(
-                                 from_a.normalized().dot(from_b.normalized()), -1.0, 1.0));
+  const double gap =
+      range * std::acos(std::clamp(from_a.normalized().dot(from_b.normalized()), -1.0, 1.0));
   return std::abs(from_a.norm() - from_b.norm()) <= kSteepest * gap + kRangeSlack_m;
 }
 
@@ -69,8 +69,8 @@ Result<FlatPart> flat_part(const Cloud& cloud, std::vector<std::size_t> points,
                 options.min_points);
   }
   FlatPart part{std::move(points), {}};
-  auto plane = fit_plane(places(cloud, part.points), rays_of(cloud, part.points),
-                         options.thickness_m);
+  auto plane =
+      fit_plane(places(cloud, part.points), rays_of(cloud, part.points), options.thickness_m);
   if (!plane) {
     return fail(Error::Code::kOutOfRange,
                 "the {} points make no plane: they lie in a line or too far apart",
@@ -144,8 +144,7 @@ PlaneMeasure plane_measure(const FlatPart& part) {
   const Eigen::Vector3d at(1, foot.x(), foot.y());
   measure.distance_m.value = std::abs(plane.height(Eigen::Vector3d::Zero()));
   measure.distance_m.sigma_points = std::sqrt(at.dot(plane.covariance * at));
-  measure.tilt_rad.sigma_points =
-      std::sqrt(plane.covariance.bottomRightCorner<2, 2>().trace() / 2);
+  measure.tilt_rad.sigma_points = std::sqrt(plane.covariance.bottomRightCorner<2, 2>().trace() / 2);
   return measure;
 }
 

@@ -24,16 +24,15 @@ struct FlatPart {
 
 /// Connected surfaces among `points`: neighbouring beams or profiles whose ranges differ by less
 /// than a step at 75 degrees of incidence. Largest first. Without profiles: all of them.
-[[nodiscard]] std::vector<std::vector<std::size_t>> surfaces(const Cloud& cloud,
-                                                             const BeamGrid& grid,
-                                                             const std::vector<std::size_t>& points);
+[[nodiscard]] std::vector<std::vector<std::size_t>> surfaces(
+    const Cloud& cloud, const BeamGrid& grid, const std::vector<std::size_t>& points);
 
 /// Numbers that a measure gives for a cloud; empty where it fails.
 using MeasureOf = std::function<std::vector<double>(const Cloud&)>;
 
 /// Standard deviations of the numbers from the rig's covariance: the cloud is assembled anew for
-/// changes of one standard deviation along each principal direction, both ways. Zeros without a rig.
-/// `values`: what the measure gives for the cloud itself.
+/// changes of one standard deviation along each principal direction, both ways. Zeros without a
+/// rig. `values`: what the measure gives for the cloud itself.
 [[nodiscard]] std::vector<double> rig_sigmas(const Cloud& cloud, const std::optional<Rig>& rig,
                                              const std::vector<double>& values,
                                              const MeasureOf& measure);

@@ -76,8 +76,10 @@ Result<Cloud> parse_cloud(std::string_view file, const std::string& name,
                           Diagnostics& diagnostics) {
   if (is_ply(file)) return parse_ply(file, name, diagnostics);
   if (is_pcd(file)) return cloud_of_pcd(file, name, diagnostics);
-  return fail(Error::Code::kUnsupported, "{}: neither PLY nor PCD; give a cloud as `scanfuse "
-              "assemble` writes it", name);
+  return fail(Error::Code::kUnsupported,
+              "{}: neither PLY nor PCD; give a cloud as `scanfuse "
+              "assemble` writes it",
+              name);
 }
 
 Result<Cloud> read_cloud(const std::filesystem::path& path, Diagnostics& diagnostics) {
@@ -88,9 +90,9 @@ Result<Cloud> read_cloud(const std::filesystem::path& path, Diagnostics& diagnos
 
 std::string ply_bytes(const Cloud& cloud) {
   std::string bytes = "ply\nformat binary_little_endian 1.0\n" + cloud_notes(cloud, "comment ");
-  bytes += fmt::format(
-      "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n",
-      cloud.points.size());
+  bytes +=
+      fmt::format("element vertex {}\nproperty double x\nproperty double y\nproperty double z\n",
+                  cloud.points.size());
   if (has_intensity(cloud)) bytes += "property float intensity\n";
   if (cloud.has_profiles()) bytes += "property int profile\nproperty int beam\n";
   bytes += "end_header\n";

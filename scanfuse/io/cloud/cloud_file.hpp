@@ -22,8 +22,7 @@ namespace scanfuse::io {
 /// Reads a PLY (ascii or binary little-endian; any other properties and elements are passed over)
 /// or a PCD file, told apart by its first bytes. Points that are not finite are dropped and noted;
 /// a cut end is damage. Errors name the file and the line or byte.
-[[nodiscard]] Result<Cloud> read_cloud(const std::filesystem::path& path,
-                                       Diagnostics& diagnostics);
+[[nodiscard]] Result<Cloud> read_cloud(const std::filesystem::path& path, Diagnostics& diagnostics);
 [[nodiscard]] Result<Cloud> parse_cloud(std::string_view file, const std::string& name,
                                         Diagnostics& diagnostics);
 

@@ -34,8 +34,7 @@ bool take_profile(std::string_view text, Cloud& cloud) {
   if (!(std::abs(rotation.norm() - 1) < 1e-3) || cloud.profiles.size() >= kMostProfiles) {
     return false;
   }
-  cloud.profiles.push_back(
-      {values[0], {rotation.normalized(), {values[1], values[2], values[3]}}});
+  cloud.profiles.push_back({values[0], {rotation.normalized(), {values[1], values[2], values[3]}}});
   return true;
 }
 

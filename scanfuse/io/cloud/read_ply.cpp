@@ -86,7 +86,9 @@ std::vector<std::string_view> words_of(std::string_view line) {
 /// One header line; an error says what is wrong with it.
 Result<void> take_ply_line(std::string_view line, PlyHeader& header, Cloud& cloud) {
   const auto words = words_of(line);
-  const auto wrong = [&](std::string_view what) { return fail(Error::Code::kMalformed, "{}", what); };
+  const auto wrong = [&](std::string_view what) {
+    return fail(Error::Code::kMalformed, "{}", what);
+  };
   if (words.empty() || words[0] == "obj_info") return {};
   if (words[0] == "comment") {
     if (take_cloud_note(line.substr(line.find("comment") + 7), cloud)) return {};
@@ -100,8 +102,7 @@ Result<void> take_ply_line(std::string_view line, PlyHeader& header, Cloud& clou
   if (words[0] == "element" && words.size() == 3) {
     const auto count = parse_whole(words[2]);
     if (!count || *count < 0) return wrong("an element's count is no whole number");
-    header.elements.push_back(
-        {std::string(words[1]), static_cast<std::size_t>(*count), {}, false});
+    header.elements.push_back({std::string(words[1]), static_cast<std::size_t>(*count), {}, false});
     return {};
   }
   if (words[0] != "property" || words.size() < 3 || header.elements.empty()) {
@@ -114,8 +115,7 @@ Result<void> take_ply_line(std::string_view line, PlyHeader& header, Cloud& clou
   }
   const auto* type = std::ranges::find(kPlyTypes, words[1], &PlyType::name);
   if (type == kPlyTypes.end()) return wrong("a property's type is unknown");
-  element.properties.push_back(
-      {type, element.name == "vertex" ? ply_target(words[2]) : nullptr});
+  element.properties.push_back({type, element.name == "vertex" ? ply_target(words[2]) : nullptr});
   return {};
 }
 
@@ -130,8 +130,7 @@ Result<PlyHeader> parse_ply_header(std::string_view file, const std::string& nam
     if (line == "end_header") return header;
     if (header.lines == 1) continue;
     if (auto taken = take_ply_line(line, header, cloud); !taken) {
-      return fail(Error::Code::kMalformed, "{}:{}: {}", name, header.lines,
-                  taken.error().message);
+      return fail(Error::Code::kMalformed, "{}:{}: {}", name, header.lines, taken.error().message);
     }
   }
   return fail(Error::Code::kMalformed, "{}: the header has no end_header; is the file cut off?",
@@ -145,11 +144,13 @@ double load_ply_value(const PlyType& type, const char* from) {
   };
   if (type.kind == 'f') return type.size == 4 ? load(float{}) : load(double{});
   if (type.kind == 'i') {
-    return type.size == 1 ? load(std::int8_t{}) : type.size == 2 ? load(std::int16_t{})
-                                                                 : load(std::int32_t{});
+    return type.size == 1   ? load(std::int8_t{})
+           : type.size == 2 ? load(std::int16_t{})
+                            : load(std::int32_t{});
   }
-  return type.size == 1 ? load(std::uint8_t{}) : type.size == 2 ? load(std::uint16_t{})
-                                                                : load(std::uint32_t{});
+  return type.size == 1   ? load(std::uint8_t{})
+         : type.size == 2 ? load(std::uint16_t{})
+                          : load(std::uint32_t{});
 }
 
 /// Vertices as they are read, and what became of them.

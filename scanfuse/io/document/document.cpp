@@ -50,8 +50,8 @@ tl::unexpected<Error> DocumentTable::wrong(std::string_view key, std::string_vie
 Result<void> DocumentTable::only(const std::vector<std::string>& known) const {
   for (const auto& [name, child] : std::get<DocumentNode::Table>(node_->value)) {
     if (std::ranges::find(known, name) != known.end()) continue;
-    return wrong(name, fmt::format("unknown key '{}'; did you mean '{}'?", name,
-                                   nearest_name(name, known)));
+    return wrong(
+        name, fmt::format("unknown key '{}'; did you mean '{}'?", name, nearest_name(name, known)));
   }
   return {};
 }
@@ -136,8 +136,8 @@ Result<std::vector<double>> DocumentTable::rows(std::string_view key, std::size_
     }
   }
   const bool any = rows == 0 && array != nullptr && values.size() == array->size() * columns;
-  if (any || (rows > 0 && array != nullptr && array->size() == rows &&
-              values.size() == rows * columns)) {
+  if (any ||
+      (rows > 0 && array != nullptr && array->size() == rows && values.size() == rows * columns)) {
     return values;
   }
   return wrong(key, rows > 0 ? fmt::format("{} needs {} rows of {} numbers", key, rows, columns)

@@ -147,9 +147,9 @@ Result<void> parse_features(std::string_view text, const std::string& name,
 }
 
 std::string features_text(const TurntableFeatures& features) {
-  std::string text = fmt::format("{{\"corners_px\":[{},\n{}],\n\"positions\":[",
-                                 points_text(features.corners_px[0]),
-                                 points_text(features.corners_px[1]));
+  std::string text =
+      fmt::format("{{\"corners_px\":[{},\n{}],\n\"positions\":[",
+                  points_text(features.corners_px[0]), points_text(features.corners_px[1]));
   bool first = true;
   for (const TurntablePosition& position : features.positions) {
     text += fmt::format("{}\n{{\"stripe_px\":[{},{}]", std::exchange(first, false) ? "" : ",",

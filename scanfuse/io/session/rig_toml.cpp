@@ -17,14 +17,22 @@ constexpr double kRoundingSlack = 1e-6;
 constexpr double kFarthestRig_m = 1e6;
 constexpr std::size_t kCount = Rig::kParameters;
 using RowMajor3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-using RowMajorCovariance = Eigen::Matrix<double, Rig::kParameters, Rig::kParameters, Eigen::RowMajor>;
+using RowMajorCovariance =
+    Eigen::Matrix<double, Rig::kParameters, Rig::kParameters, Eigen::RowMajor>;
 
 /// The order of the covariance, for readers of the file.
-constexpr std::array<const char*, kCount> kParameterNames{
-    "axis_direction_u_rad", "axis_direction_v_rad", "axis_point_u_m",
-    "axis_point_v_m",       "lidar_rotation_x_rad", "lidar_rotation_y_rad",
-    "lidar_rotation_z_rad", "lidar_x_m",            "lidar_y_m",
-    "lidar_z_m",            "range_bias_m",         "angle_scale"};
+constexpr std::array<const char*, kCount> kParameterNames{"axis_direction_u_rad",
+                                                          "axis_direction_v_rad",
+                                                          "axis_point_u_m",
+                                                          "axis_point_v_m",
+                                                          "lidar_rotation_x_rad",
+                                                          "lidar_rotation_y_rad",
+                                                          "lidar_rotation_z_rad",
+                                                          "lidar_x_m",
+                                                          "lidar_y_m",
+                                                          "lidar_z_m",
+                                                          "range_bias_m",
+                                                          "angle_scale"};
 
 Result<Eigen::Vector3d> read_place(const DocumentTable& table, std::string_view key) {
   const auto numbers = table.numbers(key, 3);
@@ -55,7 +63,8 @@ Result<void> read_lidar_pose(const DocumentTable& table, Rig& rig) {
   const Eigen::Matrix3d rotation = Eigen::Map<const RowMajor3>(numbers->data());
   const Eigen::Matrix3d off = rotation * rotation.transpose() - Eigen::Matrix3d::Identity();
   if (!(off.cwiseAbs().maxCoeff() <= kRoundingSlack) || !(rotation.determinant() > 0)) {
-    return table.wrong("rotation", "rotation needs three orthogonal rows of length 1, right-handed");
+    return table.wrong("rotation",
+                       "rotation needs three orthogonal rows of length 1, right-handed");
   }
   rig.camera_from_lidar.rotation = Eigen::Quaterniond(rotation).normalized();
   const auto place = read_place(table, "position_m");
@@ -108,8 +117,8 @@ Result<RigFile> read_rig_root(const DocumentTable& root) {
     if (!table) return tl::unexpected(table.error());
     if (*table) return read(**table);
     if (!needed) return {};
-    return root.wrong(key, fmt::format("a rig needs [{}]; `scanfuse calibrate turntable` writes it",
-                                       key));
+    return root.wrong(
+        key, fmt::format("a rig needs [{}]; `scanfuse calibrate turntable` writes it", key));
   };
   const auto read_seen_by = [&](const DocumentTable& table) -> Result<void> {
     const auto camera = read_camera(table);
@@ -134,7 +143,8 @@ std::string vector_text(const Eigen::Vector3d& v) {
 }
 
 std::string covariance_text(const Rig& rig) {
-  std::string text = "[covariance]  # of small changes, in this order; zero: not estimated\norder = [";
+  std::string text =
+      "[covariance]  # of small changes, in this order; zero: not estimated\norder = [";
   for (std::size_t k = 0; k < kCount; ++k) {
     text += fmt::format("{}\"{}\"", k > 0 ? ", " : "", kParameterNames[k]);
   }
@@ -168,8 +178,9 @@ Result<RigFile> read_rig(const std::filesystem::path& path) {
 std::string rig_text(const RigFile& file) {
   const Rig& rig = file.rig;
   const Eigen::Matrix3d r = rig.camera_from_lidar.rotation.toRotationMatrix();
-  std::string text = "# A 2D lidar on a turntable, in the camera's frame: x right, y down, z "
-                     "forward; metres.\n";
+  std::string text =
+      "# A 2D lidar on a turntable, in the camera's frame: x right, y down, z "
+      "forward; metres.\n";
   text += fmt::format("[axis]\ndirection = {}\npoint_m = {}  # nearest to the camera\n\n",
                       vector_text(rig.axis_direction), vector_text(rig.axis_point_m));
   text += fmt::format(

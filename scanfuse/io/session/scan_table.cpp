@@ -65,8 +65,8 @@ Result<void> check_units(const std::vector<RawBeam>& beams, const std::string& n
   const auto middle = ranges.begin() + static_cast<std::ptrdiff_t>(ranges.size() / 2);
   std::ranges::nth_element(ranges, middle);
   if (in_reach(*middle * lidar.range_unit_m, lidar)) return {};
-  for (const auto& [unit, metres] : {std::pair{"m", 1.0}, {"cm", 1e-2}, {"mm", 1e-3},
-                                     {"0.1mm", 1e-4}}) {
+  for (const auto& [unit, metres] :
+       {std::pair{"m", 1.0}, {"cm", 1e-2}, {"mm", 1e-3}, {"0.1mm", 1e-4}}) {
     if (*middle * metres < 0.05 || *middle * metres > 50 || !in_reach(*middle * metres, lidar)) {
       continue;
     }
@@ -168,8 +168,8 @@ std::vector<BeamReturn> beams_of(const Scan& scan) {
   return beams;
 }
 
-Result<std::map<int, std::vector<BeamReturn>>> scans_of_recording(
-    const std::filesystem::path& path, Diagnostics& diagnostics) {
+Result<std::map<int, std::vector<BeamReturn>>> scans_of_recording(const std::filesystem::path& path,
+                                                                  Diagnostics& diagnostics) {
   auto reader = open_recording(path);
   if (!reader) return tl::unexpected(reader.error());
   std::map<int, std::vector<BeamReturn>> scans;

@@ -110,9 +110,8 @@ Result<void> read_turntable(const DocumentTable& table, SessionFile& session) {
 }
 
 Result<void> read_lidar(const DocumentTable& table, LidarConventions& lidar) {
-  if (auto known =
-          table.only({"angle_unit", "range_unit", "direction", "zero_deg", "invalid_ranges",
-                      "min_range_m", "max_range_m", "recording"});
+  if (auto known = table.only({"angle_unit", "range_unit", "direction", "zero_deg",
+                               "invalid_ranges", "min_range_m", "max_range_m", "recording"});
       !known) {
     return known;
   }

@@ -9,15 +9,16 @@
 #include "scanfuse/core/result.hpp"
 #include "scanfuse/types/turntable.hpp"
 
-/// `session.toml`, the file that says what a turntable session is about (docs/turntable-session.md).
+/// `session.toml`, the file that says what a turntable session is about
+/// (docs/turntable-session.md).
 namespace scanfuse::io {
 
 /// How scan files are to be understood.
 struct LidarConventions {
-  double angle_unit_rad = kPi / 180;  ///< radians of one unit of angle
-  double range_unit_m = 1;            ///< metres of one unit of range
-  bool clockwise = false;             ///< angles grow clockwise, seen from the lidar's z
-  double zero_rad = 0;                ///< added to angles, after the direction is applied
+  double angle_unit_rad = kPi / 180;      ///< radians of one unit of angle
+  double range_unit_m = 1;                ///< metres of one unit of range
+  bool clockwise = false;                 ///< angles grow clockwise, seen from the lidar's z
+  double zero_rad = 0;                    ///< added to angles, after the direction is applied
   std::vector<double> invalid_ranges{0};  ///< codes, in the file's unit; negative ranges always are
   double min_range_m = 0.01;
   double max_range_m = 100;
@@ -41,8 +42,8 @@ struct CameraImages {
 struct SessionFile {
   std::optional<Camera> camera;
   std::optional<CameraImages> camera_images;
-  std::vector<SessionBoard> boards;        ///< none or two
-  std::vector<double> turntable_rad;       ///< one angle for each position; may be empty
+  std::vector<SessionBoard> boards;   ///< none or two
+  std::vector<double> turntable_rad;  ///< one angle for each position; may be empty
   LidarConventions lidar;
 };
 
