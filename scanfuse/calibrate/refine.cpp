@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "scanfuse/calibrate/middle.hpp"
+
 namespace scanfuse::calibrate {
 namespace {
 
@@ -9,31 +11,20 @@ using Eigen::Vector3d;
 
 constexpr double kOutlierChi2 = 40;  ///< of two degrees of freedom: one in 5e8 by chance
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// Corners within five deviations of their board's pose.
 void keep_corners(const TurntableFeatures& features, const std::array<BoardPose, 2>& boards,
                   Refined& out) {
+  const KeptCorners all = all_corners(features);
   for (std::size_t b = 0; b < 2; ++b) {
     std::vector<double> distances;
-    std::vector<KeptCorner> all;
-    const auto columns = static_cast<std::size_t>(features.boards[b].columns);
-    for (std::size_t i = 0; i < features.corners_px[b].size(); ++i) {
-      const Vector3d at(static_cast<double>(i % columns) * features.boards[b].square_m,
-                        static_cast<double>(i / columns) * features.boards[b].square_m, 0);
-      all.push_back({at, features.corners_px[b][i]});
-      distances.push_back(
-          (features.camera.project(boards[b].camera_from_board * at) - features.corners_px[b][i])
-              .norm());
+    for (const auto& corner : all[b]) {
+      const Vector3d at = boards[b].camera_from_board * corner.board_m;
+      distances.push_back((features.camera.project(at) - corner.seen_px).norm());
     }
-    const double sigma = median(distances) / 1.1774;  // of Rayleigh's distribution
-    for (std::size_t i = 0; i < all.size(); ++i) {
+    const double sigma = middle_of(distances) / 1.1774;  // of Rayleigh's distribution
+    for (std::size_t i = 0; i < all[b].size(); ++i) {
       if (distances[i] <= 5.5 * sigma + 1e-6) {
-        out.corners[b].push_back(all[i]);
+        out.corners[b].push_back(all[b][i]);
       } else {
         ++out.corners_left_out;
       }
@@ -79,7 +70,7 @@ void coarse_effects(const JointSystem& system, JointNoise& noise) {
     }
   }
   for (std::size_t k = 0; k + 1 < kEffects; ++k) {
-    noise.effect[k] = excess[k].empty() ? 0 : std::max(0.0, median(std::move(excess[k])));
+    noise.effect[k] = excess[k].empty() ? 0 : std::max(0.0, middle_of(std::move(excess[k])));
   }
 }
 
@@ -187,6 +178,20 @@ void judge(Refined& out) {
 }
 
 }  // namespace
+
+KeptCorners all_corners(const TurntableFeatures& features) {
+  KeptCorners corners;
+  for (std::size_t b = 0; b < 2; ++b) {
+    const auto columns = static_cast<std::size_t>(features.boards[b].columns);
+    for (std::size_t i = 0; i < features.corners_px[b].size(); ++i) {
+      corners[b].push_back(
+          {Vector3d(static_cast<double>(i % columns), static_cast<double>(i / columns), 0) *
+               features.boards[b].square_m,
+           features.corners_px[b][i]});
+    }
+  }
+  return corners;
+}
 
 void mark_squares(const std::array<BoardSpec, 2>& specs, const JointState& state,
                   std::vector<Sample>& samples) {
