@@ -135,9 +135,11 @@ void step(const Camera& camera, bool robust, Refined& out) {
   out.system = linearise(input, out.state);
 }
 
-/// A systematic error is an unknown where the data show it by three deviations.
+/// A systematic error is an unknown where the data show it by four standard deviations; where they
+/// do not, it is taken for nothing, whatever an earlier round made of it.
 void choose_unknowns(const TurntableOptions& options, Refined& out) {
-  const auto decide = [&](Systematic wish, bool JointUnknowns::* which, int parameter) {
+  const auto decide = [&](Systematic wish, bool JointUnknowns::* which, int parameter,
+                          double& value, double nothing) {
     if (wish != Systematic::kSignificant) return;
     JointUnknowns with = out.unknowns;
     with.*which = true;
@@ -145,11 +147,14 @@ void choose_unknowns(const TurntableOptions& options, Refined& out) {
         options.line_effects ? estimate_effects(out.system, out.noise, with) : out.noise;
     const JointSolution trial = solve(out.system, noise, with);
     const double sigma = std::sqrt(trial.covariance(parameter, parameter));
-    out.unknowns.*which = sigma > 0 && std::abs(trial.change[parameter]) > 3 * sigma;
+    const double off = value - nothing + trial.change[parameter];
+    out.unknowns.*which = sigma > 0 && std::abs(off) > 4 * sigma;
+    if (!(out.unknowns.*which)) value = nothing;
   };
-  decide(options.range_bias, &JointUnknowns::range_bias, 10);
-  decide(options.square_bias, &JointUnknowns::square_bias, kSquareAt);
-  decide(options.angle_scale, &JointUnknowns::angle_scale, 11);
+  Rig& rig = out.state.rig;
+  decide(options.range_bias, &JointUnknowns::range_bias, 10, rig.range_bias_m, 0);
+  decide(options.square_bias, &JointUnknowns::square_bias, kSquareAt, out.state.square_bias_m, 0);
+  decide(options.angle_scale, &JointUnknowns::angle_scale, 11, rig.angle_scale, 1);
 }
 
 void judge(Refined& out) {
@@ -250,6 +255,8 @@ Result<Refined> refine(const TurntableFeatures& features, const Prepared& prepar
   for (int round = 0; round < 4 && out.samples.size() >= 3; ++round) {
     measure();
     choose_unknowns(options, out);
+    // At the values just decided on; the minimum itself follows.
+    out.system = linearise({features.camera, out.samples, out.corners}, out.state);
     out.noise.effect.fill(0);
     if (options.line_effects) {
       out.noise = estimate_effects(out.system, out.noise, out.unknowns);
