@@ -3,6 +3,7 @@
 #include <Eigen/SVD>
 #include <algorithm>
 
+#include "scanfuse/calibrate/middle.hpp"
 #include "scanfuse/calibrate/motion.hpp"
 
 namespace scanfuse::calibrate {
@@ -13,12 +14,6 @@ using Eigen::Matrix3d;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 using Poses = std::span<const TurnedPose>;
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 Vector3d log_of(const Quaterniond& q) {
   const AngleAxisd turn(q);
@@ -61,7 +56,7 @@ Vector3d middle_axis(const std::vector<Pair>& pairs) {
       parts[static_cast<std::size_t>(k)].push_back(pair.turn[k] / pair.apart_rad);
     }
   }
-  return Vector3d(median(parts[0]), median(parts[1]), median(parts[2])).normalized();
+  return Vector3d(middle_of(parts[0]), middle_of(parts[1]), middle_of(parts[2])).normalized();
 }
 
 Vector3d mean_axis(const std::vector<Pair>& pairs, const std::vector<double>& weights,
@@ -124,8 +119,8 @@ void measure_misfits(Poses poses, MotionFit& fit) {
     fit.rotation_rad.push_back(model.rotation.angularDistance(pose.camera_from_lidar.rotation));
     fit.centre_m.push_back((model.translation_m - pose.camera_from_lidar.translation_m).norm());
   }
-  fit.rotation_median_rad = median(fit.rotation_rad);
-  fit.centre_median_m = median(fit.centre_m);
+  fit.rotation_median_rad = middle_of(fit.rotation_rad);
+  fit.centre_median_m = middle_of(fit.centre_m);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <optional>
 
+#include "scanfuse/calibrate/middle.hpp"
 #include "scanfuse/calibrate/pose.hpp"
 
 namespace scanfuse::calibrate {
@@ -29,13 +30,6 @@ Points usable(std::span<const BeamReturn> scan, double scale) {
   return points;
 }
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// Of one range, from second differences: blind to straight walls and to most of anything else.
 double noise_of(const Points& points) {
   std::vector<double> bends;
@@ -43,7 +37,7 @@ double noise_of(const Points& points) {
     bends.push_back(std::abs(points[i - 1].beam.range_m - 2 * points[i].beam.range_m +
                              points[i + 1].beam.range_m));
   }
-  return median(std::move(bends)) / (0.6745 * std::sqrt(6.0));
+  return middle_of(std::move(bends)) / (0.6745 * std::sqrt(6.0));
 }
 
 /// Returns [first, last) that follow one straight line.

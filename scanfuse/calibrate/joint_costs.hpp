@@ -1,7 +1,7 @@
 #pragma once
 
-#include <ceres/ceres.h>
-#include <ceres/rotation.h>
+#include <Eigen/Geometry>
+#include <cmath>
 
 #include "scanfuse/calibrate/joint_state.hpp"
 
@@ -12,13 +12,17 @@ namespace scanfuse::calibrate::costs {
 template <class T>
 using Vector3 = Eigen::Matrix<T, 3, 1>;
 
-/// exp(w) v.
+/// exp(w) v, with the right derivatives at w = 0 too.
 template <class T>
 Vector3<T> turned(const T* w, const Eigen::Vector3d& v) {
+  using std::cos, std::sin, std::sqrt;
+  const Vector3<T> turn(w[0], w[1], w[2]);
   const Vector3<T> from = v.cast<T>();
-  Vector3<T> to;
-  ceres::AngleAxisRotatePoint(w, from.data(), to.data());
-  return to;
+  const T squared = turn.squaredNorm();
+  if (!(squared > T(1e-24))) return from + turn.cross(from);
+  const T angle = sqrt(squared);
+  const Vector3<T> n = turn / angle;
+  return from * cos(angle) + n.cross(from) * sin(angle) + n * (n.dot(from) * (T(1) - cos(angle)));
 }
 
 /// The lidar's axes and centre at an angle of the turntable.
@@ -30,6 +34,7 @@ struct LidarFrame {
 template <class T>
 LidarFrame<T> lidar_frame(const Rig& base, double commanded_rad, const T* rig,
                           const T& correction_rad) {
+  using std::cos, std::sin;
   const Eigen::Matrix<double, 3, 2> basis = axis_basis(base.axis_direction);
   const Vector3<T> n = (base.axis_direction.cast<T>() + basis.col(0).cast<T>() * rig[0] +
                         basis.col(1).cast<T>() * rig[1])

@@ -1,3 +1,5 @@
+#include <ceres/ceres.h>
+
 #include <memory>
 #include <numeric>
 

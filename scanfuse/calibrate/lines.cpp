@@ -4,6 +4,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 
+#include "scanfuse/calibrate/middle.hpp"
 #include "scanfuse/calibrate/undistort.hpp"
 #include "scanfuse/core/random.hpp"
 
@@ -12,12 +13,6 @@ namespace {
 
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 struct Line {
   Vector2d centre;
@@ -42,7 +37,7 @@ Line most_agreed(const std::vector<Vector2d>& points) {
     for (std::size_t i = 0; i < points.size(); i += thin) {
       distances.push_back(std::abs(line.distance(points[i])));
     }
-    const double middle = median(std::move(distances));
+    const double middle = middle_of(std::move(distances));
     if (middle < least) {
       least = middle;
       best = line;
@@ -94,7 +89,7 @@ std::optional<StripeLine> fit_stripe(const Camera& camera, std::span<const Vecto
   for (int round = 0; round < 4; ++round) {
     std::vector<double> distances;
     for (const auto& p : straight) distances.push_back(std::abs(line.distance(p)));
-    const double limit = std::max(5 * 1.4826 * median(std::move(distances)), 0.02);
+    const double limit = std::max(5 * 1.4826 * middle_of(std::move(distances)), 0.02);
     std::vector<Vector2d> kept;
     std::vector<double> weights;
     out.normalised.clear();

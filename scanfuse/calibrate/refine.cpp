@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "scanfuse/calibrate/middle.hpp"
+
 namespace scanfuse::calibrate {
 namespace {
 
@@ -9,31 +11,20 @@ using Eigen::Vector3d;
 
 constexpr double kOutlierChi2 = 40;  ///< of two degrees of freedom: one in 5e8 by chance
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// Corners within five deviations of their board's pose.
 void keep_corners(const TurntableFeatures& features, const std::array<BoardPose, 2>& boards,
                   Refined& out) {
+  const KeptCorners all = all_corners(features);
   for (std::size_t b = 0; b < 2; ++b) {
     std::vector<double> distances;
-    std::vector<KeptCorner> all;
-    const auto columns = static_cast<std::size_t>(features.boards[b].columns);
-    for (std::size_t i = 0; i < features.corners_px[b].size(); ++i) {
-      const Vector3d at(static_cast<double>(i % columns) * features.boards[b].square_m,
-                        static_cast<double>(i / columns) * features.boards[b].square_m, 0);
-      all.push_back({at, features.corners_px[b][i]});
-      distances.push_back(
-          (features.camera.project(boards[b].camera_from_board * at) - features.corners_px[b][i])
-              .norm());
+    for (const auto& corner : all[b]) {
+      const Vector3d at = boards[b].camera_from_board * corner.board_m;
+      distances.push_back((features.camera.project(at) - corner.seen_px).norm());
     }
-    const double sigma = median(distances) / 1.1774;  // of Rayleigh's distribution
-    for (std::size_t i = 0; i < all.size(); ++i) {
+    const double sigma = middle_of(distances) / 1.1774;  // of Rayleigh's distribution
+    for (std::size_t i = 0; i < all[b].size(); ++i) {
       if (distances[i] <= 5.5 * sigma + 1e-6) {
-        out.corners[b].push_back(all[i]);
+        out.corners[b].push_back(all[b][i]);
       } else {
         ++out.corners_left_out;
       }
@@ -79,7 +70,7 @@ void coarse_effects(const JointSystem& system, JointNoise& noise) {
     }
   }
   for (std::size_t k = 0; k + 1 < kEffects; ++k) {
-    noise.effect[k] = excess[k].empty() ? 0 : std::max(0.0, median(std::move(excess[k])));
+    noise.effect[k] = excess[k].empty() ? 0 : std::max(0.0, middle_of(std::move(excess[k])));
   }
 }
 
@@ -144,9 +135,11 @@ void step(const Camera& camera, bool robust, Refined& out) {
   out.system = linearise(input, out.state);
 }
 
-/// A systematic error is an unknown where the data show it by three deviations.
+/// A systematic error is an unknown where the data show it by four standard deviations; where they
+/// do not, it is taken for nothing, whatever an earlier round made of it.
 void choose_unknowns(const TurntableOptions& options, Refined& out) {
-  const auto decide = [&](Systematic wish, bool JointUnknowns::* which, int parameter) {
+  const auto decide = [&](Systematic wish, bool JointUnknowns::* which, int parameter,
+                          double& value, double nothing) {
     if (wish != Systematic::kSignificant) return;
     JointUnknowns with = out.unknowns;
     with.*which = true;
@@ -154,11 +147,14 @@ void choose_unknowns(const TurntableOptions& options, Refined& out) {
         options.line_effects ? estimate_effects(out.system, out.noise, with) : out.noise;
     const JointSolution trial = solve(out.system, noise, with);
     const double sigma = std::sqrt(trial.covariance(parameter, parameter));
-    out.unknowns.*which = sigma > 0 && std::abs(trial.change[parameter]) > 3 * sigma;
+    const double off = value - nothing + trial.change[parameter];
+    out.unknowns.*which = sigma > 0 && std::abs(off) > 4 * sigma;
+    if (!(out.unknowns.*which)) value = nothing;
   };
-  decide(options.range_bias, &JointUnknowns::range_bias, 10);
-  decide(options.square_bias, &JointUnknowns::square_bias, kSquareAt);
-  decide(options.angle_scale, &JointUnknowns::angle_scale, 11);
+  Rig& rig = out.state.rig;
+  decide(options.range_bias, &JointUnknowns::range_bias, 10, rig.range_bias_m, 0);
+  decide(options.square_bias, &JointUnknowns::square_bias, kSquareAt, out.state.square_bias_m, 0);
+  decide(options.angle_scale, &JointUnknowns::angle_scale, 11, rig.angle_scale, 1);
 }
 
 void judge(Refined& out) {
@@ -187,6 +183,20 @@ void judge(Refined& out) {
 }
 
 }  // namespace
+
+KeptCorners all_corners(const TurntableFeatures& features) {
+  KeptCorners corners;
+  for (std::size_t b = 0; b < 2; ++b) {
+    const auto columns = static_cast<std::size_t>(features.boards[b].columns);
+    for (std::size_t i = 0; i < features.corners_px[b].size(); ++i) {
+      corners[b].push_back(
+          {Vector3d(static_cast<double>(i % columns), static_cast<double>(i / columns), 0) *
+               features.boards[b].square_m,
+           features.corners_px[b][i]});
+    }
+  }
+  return corners;
+}
 
 void mark_squares(const std::array<BoardSpec, 2>& specs, const JointState& state,
                   std::vector<Sample>& samples) {
@@ -245,6 +255,8 @@ Result<Refined> refine(const TurntableFeatures& features, const Prepared& prepar
   for (int round = 0; round < 4 && out.samples.size() >= 3; ++round) {
     measure();
     choose_unknowns(options, out);
+    // At the values just decided on; the minimum itself follows.
+    out.system = linearise({features.camera, out.samples, out.corners}, out.state);
     out.noise.effect.fill(0);
     if (options.line_effects) {
       out.noise = estimate_effects(out.system, out.noise, out.unknowns);

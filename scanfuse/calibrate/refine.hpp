@@ -27,6 +27,9 @@ struct Refined {
 [[nodiscard]] Result<Refined> refine(const TurntableFeatures& features, const Prepared& prepared,
                                      const TurntableOptions& options);
 
+/// Every corner with its place on the board.
+[[nodiscard]] KeptCorners all_corners(const TurntableFeatures& features);
+
 /// Marks each return by the square it lies on and fits its lines anew.
 void mark_squares(const std::array<BoardSpec, 2>& specs, const JointState& state,
                   std::vector<Sample>& samples);

@@ -75,20 +75,6 @@ double corner_squares(const TurntableFeatures& features, const TurntableCalibrat
   return sum;
 }
 
-KeptCorners all_corners(const TurntableFeatures& features) {
-  KeptCorners corners;
-  for (std::size_t b = 0; b < 2; ++b) {
-    const auto columns = static_cast<std::size_t>(features.boards[b].columns);
-    for (std::size_t i = 0; i < features.corners_px[b].size(); ++i) {
-      corners[b].push_back(
-          {Vector3d(static_cast<double>(i % columns), static_cast<double>(i / columns), 0) *
-               features.boards[b].square_m,
-           features.corners_px[b][i]});
-    }
-  }
-  return corners;
-}
-
 /// Residuals of all positions, rms of all points, Table 1.
 void measure(const TurntableFeatures& features, const std::vector<Sample>& samples,
              const KeptCorners& corners, TurntableCalibration& result) {

@@ -169,4 +169,13 @@ struct TurntableCalibration {
 [[nodiscard]] Result<TurntableCalibration> calibrate_turntable(
     const TurntableFeatures& features, const TurntableOptions& options = {});
 
+/// The Cramer-Rao bound of the rig's parameters: the least covariance that any unbiased method can
+/// reach with this noise, from the Jacobian at the truth. `features` without noise; `with`: which
+/// systematic errors are unknown too (kOn; anything else means known).
+[[nodiscard]] Result<RigCovariance> turntable_bound(const TurntableFeatures& features,
+                                                    const Rig& truth,
+                                                    const std::array<Pose3, 2>& camera_from_board,
+                                                    const TurntableNoiseModel& noise,
+                                                    const TurntableOptions& with = {});
+
 }  // namespace scanfuse::calibrate
