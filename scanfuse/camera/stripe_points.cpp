@@ -291,6 +291,11 @@ Stripe measure_stripe(const Image& on, const Image* off, const StripeRegion& reg
     return refused(std::move(stripe), fmt::format("a stripe of {:.0f} pixels, {} points: too short",
                                                   length, stripe.points.size()));
   }
+  if (stripe.scatter_px > options.max_scatter_px) {
+    return refused(std::move(stripe),
+                   fmt::format("its points scatter by {:.2f} px about a line; {:.2f} are allowed",
+                               stripe.scatter_px, options.max_scatter_px));
+  }
   return stripe;
 }
 
