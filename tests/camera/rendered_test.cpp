@@ -1,6 +1,6 @@
-#include <gtest/gtest.h>
-
 #include "camera/rendered.hpp"
+
+#include <gtest/gtest.h>
 
 namespace scanfuse::camera {
 namespace {
@@ -106,8 +106,8 @@ TEST(Stripe, ABoardOfAnotherImageIsRefused) {
 TEST(FindTwoBoards, AWrongSizeIsAnErrorThatCountsWhatIsThere) {
   const auto world = simulate::turntable_world();
   const simulate::TurntableRenderer renderer(world, {}, 3);
-  const auto boards = find_two_boards(
-      renderer.bright(), {BoardSpec{15, 21, 0.02}, BoardSpec{15, 21, 0.02}});
+  const auto boards =
+      find_two_boards(renderer.bright(), {BoardSpec{15, 21, 0.02}, BoardSpec{15, 21, 0.02}});
   ASSERT_FALSE(boards);
   EXPECT_NE(boards.error().message.find("15 x 21"), std::string::npos) << boards.error().message;
 }

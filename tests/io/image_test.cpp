@@ -82,8 +82,7 @@ TEST(Image, EveryFlippedByteOfPixelsIsNoticed) {
 
 TEST(Image, PaletteAndFewBitsAreSpreadToEight) {
   const std::string bits(1, static_cast<char>(0b01000000));
-  const auto palette =
-      parse_image(other_png(2, 1, 1, PNG_COLOR_TYPE_PALETTE, bits), "palette.png");
+  const auto palette = parse_image(other_png(2, 1, 1, PNG_COLOR_TYPE_PALETTE, bits), "palette.png");
   ASSERT_TRUE(palette) << palette.error().message;
   EXPECT_EQ(palette->channels, 3);
   EXPECT_THAT(palette->pixels, testing::ElementsAre(10, 20, 30, 200, 100, 50));
@@ -93,15 +92,15 @@ TEST(Image, PaletteAndFewBitsAreSpreadToEight) {
 }
 
 TEST(Image, AlphaIsDropped) {
-  const auto image =
-      parse_image(other_png(1, 1, 8, PNG_COLOR_TYPE_RGB_ALPHA, std::string("\1\2\3\0", 4)), "a.png");
+  const auto image = parse_image(
+      other_png(1, 1, 8, PNG_COLOR_TYPE_RGB_ALPHA, std::string("\1\2\3\0", 4)), "a.png");
   ASSERT_TRUE(image) << image.error().message;
   EXPECT_THAT(image->pixels, testing::ElementsAre(1, 2, 3));
 }
 
 TEST(Image, SixteenBitsAreRefusedWithARemedy) {
-  const auto image = parse_image(
-      other_png(2, 2, 16, PNG_COLOR_TYPE_GRAY, std::string("\1\2\3\4", 4)), "deep.png");
+  const auto image =
+      parse_image(other_png(2, 2, 16, PNG_COLOR_TYPE_GRAY, std::string("\1\2\3\4", 4)), "deep.png");
   ASSERT_FALSE(image);
   EXPECT_THAT(image.error().message, HasSubstr("deep.png: 16 bits"));
 }
