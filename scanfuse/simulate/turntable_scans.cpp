@@ -19,14 +19,14 @@ constexpr double kClearance_m = 0.012;
 constexpr std::uint64_t kMostScansOfADisc = 100'000;
 
 /// What one ray of a bundle met.
-struct Glint {
+struct RayHit {
   double range_m = 0;
   double light = 0;
   bool black = false;
 };
 
 /// Rays that come back together.
-struct Echo {
+struct SpotEcho {
   double light = 0, range_m = 0, black = 0;
 };
 
@@ -42,10 +42,10 @@ std::vector<Vector2d> spot(int rays) {
   return out;
 }
 
-std::vector<Glint> glints_of(const TurntableScene& scene, const TurntableScanOptions& options,
+std::vector<RayHit> hits_of(const TurntableScene& scene, const TurntableScanOptions& options,
                              const std::vector<Vector2d>& places, const Vector3d& centre,
                              const Vector3d& ahead, const Vector3d& side, const Vector3d& up) {
-  std::vector<Glint> glints;
+  std::vector<RayHit> hits;
   for (const Vector2d& place : places) {
     const Vector3d off = place.x() * side + place.y() * up;
     const Vector3d origin = centre + options.spot_m * off;
@@ -55,26 +55,26 @@ std::vector<Glint> glints_of(const TurntableScene& scene, const TurntableScanOpt
     const Vector3d at = origin + hit.distance_m * ray;
     const double albedo = scene.albedo(hit.surface, at, Vector2d::Constant(1e-5));
     const double facing = std::abs(scene.normal(hit.surface).dot(ray));
-    glints.push_back({hit.distance_m, albedo * facing, hit.surface < 2 && albedo < 0.45});
+    hits.push_back({hit.distance_m, albedo * facing, hit.surface < 2 && albedo < 0.45});
   }
-  std::stable_sort(glints.begin(), glints.end(),
+  std::stable_sort(hits.begin(), hits.end(),
                    [](const auto& a, const auto& b) { return a.range_m < b.range_m; });
-  return glints;
+  return hits;
 }
 
-Echo strongest_echo(const std::vector<Glint>& glints, double resolved_m) {
-  Echo best, echo;
+SpotEcho strongest_spot_echo(const std::vector<RayHit>& hits, double resolved_m) {
+  SpotEcho best, echo;
   double last = 0;
   const auto close = [&] {
     if (echo.light > best.light) best = echo;
     echo = {};
   };
-  for (const Glint& glint : glints) {
-    if (echo.light > 0 && glint.range_m > last + resolved_m) close();
-    echo.light += glint.light;
-    echo.range_m += glint.light * glint.range_m;
-    echo.black += glint.black ? glint.light : 0;
-    last = glint.range_m;
+  for (const RayHit& hit : hits) {
+    if (echo.light > 0 && hit.range_m > last + resolved_m) close();
+    echo.light += hit.light;
+    echo.range_m += hit.light * hit.range_m;
+    echo.black += hit.black ? hit.light : 0;
+    last = hit.range_m;
   }
   close();
   if (best.light > 0) {
@@ -141,8 +141,8 @@ std::vector<BeamReturn> simulate_scan(const TurntableWorld& world, const Turntab
     beam.angle_rad = world.first_beam_rad + k * world.beam_step_rad;
     const double c = std::cos(beam.angle_rad), s = std::sin(beam.angle_rad);
     const Vector3d ahead = c * R.col(0) + s * R.col(1), side = c * R.col(1) - s * R.col(0);
-    const Echo echo = strongest_echo(
-        glints_of(scene, options, places, lidar.translation_m, ahead, side, R.col(2)),
+    const SpotEcho echo = strongest_spot_echo(
+        hits_of(scene, options, places, lidar.translation_m, ahead, side, R.col(2)),
         options.resolved_m);
     const double noise = options.range_noise_m * random.normal();
     beam.range_m = std::numeric_limits<double>::quiet_NaN();
