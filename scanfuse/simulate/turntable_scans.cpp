@@ -43,8 +43,8 @@ std::vector<Vector2d> spot(int rays) {
 }
 
 std::vector<RayHit> hits_of(const TurntableScene& scene, const TurntableScanOptions& options,
-                             const std::vector<Vector2d>& places, const Vector3d& centre,
-                             const Vector3d& ahead, const Vector3d& side, const Vector3d& up) {
+                            const std::vector<Vector2d>& places, const Vector3d& centre,
+                            const Vector3d& ahead, const Vector3d& side, const Vector3d& up) {
   std::vector<RayHit> hits;
   for (const Vector2d& place : places) {
     const Vector3d off = place.x() * side + place.y() * up;

@@ -47,7 +47,9 @@ TEST(InOrder, TurnedAndMirroredListsOfOneBoardBecomeTheSame) {
       const Corners expected = in_order(corners, spec);
       EXPECT_EQ(in_order(turned, spec), expected);
       EXPECT_EQ(in_order(mirrored(corners, spec), spec), expected);
-      if (spec.rows == spec.columns) EXPECT_EQ(in_order(transposed(corners, spec), spec), expected);
+      if (spec.rows == spec.columns) {
+        EXPECT_EQ(in_order(transposed(corners, spec), spec), expected);
+      }
     }
   }
 }

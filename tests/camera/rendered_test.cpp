@@ -65,7 +65,9 @@ TEST_P(Rendered, CornersAndStripesLieWhereTheyAre) {
   EXPECT_GT(errors.count, 60);
   EXPECT_LE(errors.rms(), c.rms_px);
   EXPECT_LE(std::abs(errors.mean()), 0.05);
-  if (c.name == "Saturated") EXPECT_GT(errors.saturated, 0.3);
+  if (c.name == "Saturated") {
+    EXPECT_GT(errors.saturated, 0.3);
+  }
   std::printf("%s: stripe rms %.3f px, mean %.3f, on white %.3f, on black %.3f, %d points\n",
               c.name.c_str(), errors.rms(), errors.mean(), errors.mean_on(0), errors.mean_on(1),
               errors.count);

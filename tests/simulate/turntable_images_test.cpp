@@ -142,7 +142,9 @@ TEST(SimulateDiscSweeps, EverySweepClearsTheDiscAndMixesAtItsEdge) {
         mixed += at.z() < -0.02 && at.z() > -0.12 && at.head<2>().norm() < 0.09 ? 1 : 0;
       }
       on_disc += here;
-      if (i == 0 || i + 1 == sweep.scans.size()) EXPECT_EQ(here, 0);
+      if (i == 0 || i + 1 == sweep.scans.size()) {
+        EXPECT_EQ(here, 0);
+      }
     }
     EXPECT_GT(on_disc, 2000);
     EXPECT_NEAR(widest, 0.07, 0.003);
