@@ -205,7 +205,7 @@ CameraCalibration result_of(const Solution& solution, const std::vector<std::siz
                             const Views& views, std::size_t given, cv::Size size) {
   CameraCalibration result;
   result.camera = camera_of(solution, size.width, size.height);
-  result.views.assign(given, CalibratedView{.used = false});
+  result.views.assign(given, {false, 0, {}});
   double sum = 0, count = 0;
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     result.views[chosen[i]] = {true, solution.rms_px[i],

@@ -42,6 +42,7 @@ struct StripeOptions {
   double piece_widths = 1.5;
   double min_contrast = 8;
   double min_squares = 2;
+  double max_scatter_px = 0.6;
 
   static constexpr auto fields() {
     using O = StripeOptions;
@@ -59,6 +60,8 @@ struct StripeOptions {
               "a stripe stands out from its surroundings by at least this many counts"},
         Field{"min_squares", &O::min_squares, 0.5, 100.0,
               "a stripe shorter than this many squares is not used"},
+        Field{"max_scatter_px", &O::max_scatter_px, 0.01, 100.0,
+              "nor one whose points scatter more about a smooth curve"},
     };
   }
 };

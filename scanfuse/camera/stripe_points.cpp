@@ -202,6 +202,14 @@ void set_sigmas(std::vector<StripePoint>& points, const StripeCurve& curve) {
   }
 }
 
+/// How much the light beside the stripe varies along it: squares that other light shows.
+double ambient_spread(const std::vector<RidgeSample>& samples) {
+  std::vector<double> values;
+  for (const auto& sample : samples) values.push_back(sample.ambient);
+  std::sort(values.begin(), values.end());
+  return values[values.size() * 9 / 10] - values[values.size() / 10];
+}
+
 Stripe refused(Stripe stripe, std::string reason) {
   stripe.points.clear();
   stripe.reason = std::move(reason);
@@ -259,7 +267,10 @@ Stripe measure_stripe(const Image& on, const Image* off, const StripeRegion& reg
     if (!fit) return refused(std::move(stripe), "no stripe: its points do not make a line");
     curve = fit->curve;
   }
-  const double border = options.border_widths * smoothing;
+  double border = options.border_widths * smoothing;
+  if (ambient_spread(samples) > 0.1 * source.lattices.front().profile.height) {
+    border = std::max(border, kFlank_widths * smoothing);
+  }
   if (region.squares) {
     const double least = std::min(border, 0.25 * region.squares->square_px);
     keep_if(samples, [&](const auto& s) {
@@ -290,6 +301,11 @@ Stripe measure_stripe(const Image& on, const Image* off, const StripeRegion& reg
   if (stripe.points.size() < 5 || length < least) {
     return refused(std::move(stripe), fmt::format("a stripe of {:.0f} pixels, {} points: too short",
                                                   length, stripe.points.size()));
+  }
+  if (stripe.scatter_px > options.max_scatter_px) {
+    return refused(std::move(stripe),
+                   fmt::format("its points scatter by {:.2f} px about a line; {:.2f} are allowed",
+                               stripe.scatter_px, options.max_scatter_px));
   }
   return stripe;
 }

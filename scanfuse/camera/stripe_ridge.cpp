@@ -201,7 +201,7 @@ std::vector<RidgeSample> ridge_along(const Signal& signal, const StripeCurve& cu
   const double smoothing = smoothing_px / signal.pitch(), width = profile.sigma_px / signal.pitch();
   const double total = std::hypot(smoothing, width);
   const GaussianKernels kernels(smoothing);
-  const int flank = static_cast<int>(std::ceil(3.2 * total));
+  const int flank = static_cast<int>(std::ceil(kFlank_widths * total));
   const int search = static_cast<int>(std::ceil(std::max(2.0, 1.5 * total)));
   const Band band(signal, curve, range, std::max(search, flank) + 1, kernels);
   for (int a = range.first; a <= range.last; ++a) {
@@ -219,15 +219,13 @@ std::vector<RidgeSample> ridge_along(const Signal& signal, const StripeCurve& cu
       place = c;
     }
     if (!(best > 0)) continue;
-    if (level) {
-      const double right = band.at(a, place + flank).value, left = band.at(a, place - flank).value;
-      // The slope of the surroundings adds to that of the stripe; across is nu of the way along n.
-      offset -= (right - left) / (2 * flank) * nu / best;
-    }
+    const double right = band.at(a, place + flank).value, left = band.at(a, place - flank).value;
+    // The slope of the surroundings adds to that of the stripe; across is nu of the way along n.
+    if (level) offset -= (right - left) / (2 * flank) * nu / best;
     const double along = a + offset * nv, across = place + offset * nu;
     const double height = best * total * total * total / width;
     samples.push_back({curve.point(signal.along_px(along), signal.across_px(across)), height,
-                       signal.is_clipped(a, place)});
+                       (left + right) / 2, signal.is_clipped(a, place)});
   }
   return samples;
 }

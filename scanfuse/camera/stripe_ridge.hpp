@@ -8,6 +8,9 @@
 
 namespace scanfuse::camera {
 
+/// Where the surroundings are seen, in widths (sigma) of the smoothed stripe from its middle.
+inline constexpr double kFlank_widths = 3.2;
+
 /// The mean cross-section of a stripe about a curve.
 struct StripeProfile {
   double height = 0;    ///< above its surroundings, counts; 0 where there is none
@@ -21,6 +24,7 @@ struct StripeProfile {
 struct RidgeSample {
   Eigen::Vector2d position_px;
   double contrast = 0;  ///< counts
+  double ambient = 0;   ///< beside the stripe, counts
   bool clipped = false;
 };
 

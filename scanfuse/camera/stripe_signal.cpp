@@ -44,8 +44,8 @@ Box box_around(std::span<const Eigen::Vector2d> polygon, const Image& image) {
           bounded(std::ceil(high.y()) + 1, image.height_px)};
 }
 
-/// Adds one row of pixels to the sums of the blocks that it crosses.
-void add_row(const Image& image, int row, int channel, int left, int block, int sign,
+/// Adds `times` one row of pixels to the sums of the blocks that it crosses.
+void add_row(const Image& image, int row, int channel, int left, int block, int times,
              std::span<int> sums) {
   const std::size_t step = static_cast<std::size_t>(image.channels);
   const std::uint8_t* pixel =
@@ -57,7 +57,7 @@ void add_row(const Image& image, int row, int channel, int left, int block, int 
   for (int& sum : sums) {
     int part = 0;
     for (int k = 0; k < block; ++k, pixel += step) part += *pixel;
-    sum += sign * part;
+    sum += times * part;
   }
 }
 
@@ -74,13 +74,17 @@ CoarsePlane coarse_plane(const Image& on, const Image* off, int channel, int blo
   plane.values.reserve(static_cast<std::size_t>(plane.width) *
                        static_cast<std::size_t>(plane.height));
   std::vector<int> sums(static_cast<std::size_t>(plane.width));
-  const float share = 1.0F / static_cast<float>(block * block);
+  const float share = 0.5F / static_cast<float>(block * block);
+  const bool against = off == nullptr && on.channels == 3;
   for (int r = 0; r < plane.height; ++r) {
     std::fill(sums.begin(), sums.end(), 0);
     for (int k = 0; k < block; ++k) {
       const int row = box.top + r * block + k;
-      add_row(on, row, channel, box.left, block, 1, sums);
-      if (off != nullptr) add_row(*off, row, channel, box.left, block, -1, sums);
+      add_row(on, row, channel, box.left, block, 2, sums);
+      if (off != nullptr) add_row(*off, row, channel, box.left, block, -2, sums);
+      for (int other = 0; against && other < 3; ++other) {
+        if (other != channel) add_row(on, row, other, box.left, block, -1, sums);
+      }
     }
     for (const int sum : sums) plane.values.push_back(share * static_cast<float>(sum));
   }

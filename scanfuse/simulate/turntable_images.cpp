@@ -8,6 +8,20 @@
 #include "scanfuse/simulate/turntable_scene.hpp"
 
 namespace scanfuse::simulate {
+
+/// A grid of numbers as large as the image.
+struct RenderField {
+  int width = 0, height = 0;
+  std::vector<float> values;
+
+  RenderField(int w, int h)
+      : width(w), height(h), values(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
+  [[nodiscard]] std::size_t place(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(column);
+  }
+};
+
 namespace {
 
 using Eigen::Vector2d;
@@ -23,19 +37,6 @@ constexpr double kStripeReach = 4.5;  ///< widths (sigma) of the stripe, beyond 
 constexpr std::array<double, 3> kSeesWhite{0.8, 1.0, 0.7};
 constexpr std::array<double, 3> kSeesLaser{1.0, 0.06, 0.02};
 
-/// A grid of numbers as large as the image.
-struct Field2 {
-  int width = 0, height = 0;
-  std::vector<float> values;
-
-  Field2(int w, int h)
-      : width(w), height(h), values(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
-  [[nodiscard]] std::size_t place(int column, int row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
-           static_cast<std::size_t>(column);
-  }
-};
-
 std::vector<float> blur_kernel(double sigma) {
   const int radius = static_cast<int>(std::ceil(3.5 * sigma));
   std::vector<float> kernel;
@@ -48,9 +49,9 @@ std::vector<float> blur_kernel(double sigma) {
 }
 
 /// Blurs a whole field; its edges are held.
-void blur(Field2& field, const std::vector<float>& kernel) {
+void blur(RenderField& field, const std::vector<float>& kernel) {
   const int radius = static_cast<int>(kernel.size() / 2);
-  Field2 between(field.width, field.height);
+  RenderField between(field.width, field.height);
   for (int r = 0; r < field.height; ++r) {
     for (int c = 0; c < field.width; ++c) {
       float sum = 0;
@@ -74,7 +75,8 @@ void blur(Field2& field, const std::vector<float>& kernel) {
 }
 
 /// Adds `value` of one pixel to the field as the lens spreads it.
-void spread(Field2& field, int column, int row, float value, const std::vector<float>& kernel) {
+void spread(RenderField& field, int column, int row, float value,
+            const std::vector<float>& kernel) {
   const int radius = static_cast<int>(kernel.size() / 2);
   for (int k = std::max(-radius, -row); k <= std::min(radius, field.height - 1 - row); ++k) {
     const float part = value * kernel[static_cast<std::size_t>(k + radius)];
@@ -109,7 +111,7 @@ struct TurntableRenderer::Impl {
   std::vector<Vector3d> rays;        ///< of pixel centres
   std::vector<float> distance_m;     ///< along them; 0: nothing
   std::vector<std::int8_t> surface;  ///< what they meet
-  Field2 light;                      ///< white light thrown back, blurred: 1 is white, undimmed
+  RenderField light;                 ///< white light thrown back, blurred: 1 is white, undimmed
   std::vector<float> kernel;
 
   Impl(const TurntableWorld& w, const TurntableImageOptions& o, std::uint64_t s, int threads)
@@ -190,8 +192,8 @@ struct TurntableRenderer::Impl {
     return options.laser_counts / 0.85 * sum / 4;
   }
 
-  [[nodiscard]] Field2 laser(double turned_rad, RandomStream& random) const {
-    Field2 field(light.width, light.height);
+  [[nodiscard]] RenderField laser(double turned_rad, RandomStream& random) const {
+    RenderField field(light.width, light.height);
     const Pose3 lidar = world->rig.pose(turned_rad);
     const Vector3d normal = lidar.rotation * Vector3d::UnitZ();
     const double offset = normal.dot(lidar.translation_m);
@@ -225,7 +227,7 @@ struct TurntableRenderer::Impl {
   }
 
   /// Light into counts: colour filters, shot and read noise, rounding, clipping.
-  [[nodiscard]] Image exposed(double white_counts, const Field2* laser,
+  [[nodiscard]] Image exposed(double white_counts, const RenderField* laser,
                               RandomStream& random) const {
     Image image{light.width, light.height, 1, {}};
     image.pixels.resize(light.values.size());
@@ -263,7 +265,7 @@ Image TurntableRenderer::bright() const {
 
 Image TurntableRenderer::stripe(std::size_t position, double turned_rad) const {
   RandomStream random(impl_->seed, kStripeStream + position);
-  const Field2 laser = impl_->laser(turned_rad, random);
+  const RenderField laser = impl_->laser(turned_rad, random);
   return impl_->exposed(impl_->options.ambient_counts, &laser, random);
 }
 

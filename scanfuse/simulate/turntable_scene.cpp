@@ -50,6 +50,10 @@ TurntableScene::TurntableScene(const TurntableWorld& world, const SceneAlbedo& a
     surfaces_.push_back(surface_of(rectangle, albedo.rest));
   }
   if (disc == nullptr) return;
+  // In front of the bare wall, as the target was measured: the rest is carried away.
+  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+    if (i != 2) surfaces_[i].high = surfaces_[i].low.array() - 1;
+  }
   const Vector2d corner = Vector2d::Constant(disc->radius_m);
   surfaces_.push_back(surface_of({disc->camera_from_disc, -corner, corner}, disc->albedo));
   surfaces_.back().radius_m = disc->radius_m;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
+#include <array>
 #include <vector>
 
 #include "scanfuse/simulate/turntable_world.hpp"
@@ -24,7 +24,8 @@ struct SceneAlbedo {
 
 /// A turntable world as rays meet it. All of it is flat, so a ray is cut with a dozen planes in
 /// closed form, exact to the last digit of a double, which what is measured in hundredths of a
-/// pixel needs.
+/// pixel needs. With a disc, boards and bars are gone and only the first of the surroundings, the
+/// wall, stands behind it.
 class TurntableScene {
  public:
   explicit TurntableScene(const TurntableWorld& world, const SceneAlbedo& albedo = {},
