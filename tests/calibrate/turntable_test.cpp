@@ -87,7 +87,8 @@ TEST(CalibrateTurntable, MountingsThatDefeatThePaperAreOrdinary) {
     EXPECT_TRUE(result->rig.covariance.allFinite()) << name;
     EXPECT_LT(points_apart_m(data.world.rig, result->rig), 2e-3) << name;
     const auto paper = calibrate_by(data.features, TurntableMethod::kLiu2023);
-    if (paper) EXPECT_TRUE(paper->rig.axis_direction.allFinite()) << name;
+    if (!paper) continue;
+    EXPECT_TRUE(paper->rig.axis_direction.allFinite()) << name;
   }
 }
 
