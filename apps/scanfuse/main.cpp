@@ -75,6 +75,7 @@ int run(int argc, char** argv) {
   add_bench(tool);
   add_config(tool);
   add_learn(tool);
+  add_view(tool);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

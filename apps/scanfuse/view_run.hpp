@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "command.hpp"
+#include "scanfuse/serve/viewer.hpp"
+#include "track_run.hpp"
+
+namespace scanfuse::app {
+
+/// What `view` was asked to do.
+struct ViewRequest {
+  TrackRequest track;  ///< input, options, truth
+  bool has_preset = false;
+  bool again = false;        ///< track, though tracks are stored
+  std::string labels;        ///< file, or empty
+  bool stay_closed = false;  ///< no browser is opened
+  serve::ServerOptions server;
+};
+
+/// Everything that serves a page, in the order in which it is taken down.
+struct OpenView {
+  std::unique_ptr<serve::Workbench> bench;
+  std::unique_ptr<serve::Labels> labels;
+  serve::Viewer viewer;
+};
+
+/// Starts to read, to track and to serve.
+[[nodiscard]] Result<OpenView> open_view(const ViewRequest& request, const CommonOptions& common);
+
+}  // namespace scanfuse::app
