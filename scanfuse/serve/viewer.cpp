@@ -3,9 +3,11 @@
 #include <condition_variable>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "scanfuse/serve/desk.hpp"
+#include "scanfuse/serve/foxglove.hpp"
 #include "scanfuse/serve/http_rules.hpp"
 
 namespace scanfuse::serve {
@@ -14,8 +16,7 @@ namespace scanfuse::serve {
 /// server stands waits for it.
 struct Viewer::State {
   State(Workbench& bench, Labels& labels)
-      : desk(bench, labels,
-             [this](ClientId client, Message message) { send(client, std::move(message)); }) {}
+      : desk(bench, labels, sender()), foxglove(bench, sender()) {}
   ~State() {
     {
       const std::lock_guard lock(guard);
@@ -33,19 +34,44 @@ struct Viewer::State {
     if (!stopping) server->send(client, std::move(message));
   }
 
+  [[nodiscard]] std::function<void(ClientId, Message)> sender() {
+    return [this](ClientId client, Message message) { send(client, std::move(message)); };
+  }
+
+  /// Called on the server's thread; a client that names no protocol is taken for a page.
   [[nodiscard]] Handler handler() {
-    return {[this](ClientId client, std::string_view) { desk.open(client); },
-            [this](ClientId client, std::string message, bool binary) {
-              if (!binary) desk.receive(client, std::move(message));
+    return {[this](ClientId client, std::string_view protocol) {
+              if (is_foxglove(protocol)) {
+                foxglove_clients.insert(client);
+                foxglove.open(client);
+              } else {
+                desk.open(client);
+              }
             },
-            [this](ClientId client) { desk.close(client); }};
+            [this](ClientId client, std::string message, bool binary) {
+              if (binary) return;
+              if (foxglove_clients.contains(client)) {
+                foxglove.receive(client, std::move(message));
+              } else {
+                desk.receive(client, std::move(message));
+              }
+            },
+            [this](ClientId client) {
+              if (foxglove_clients.erase(client) > 0) {
+                foxglove.close(client);
+              } else {
+                desk.close(client);
+              }
+            }};
   }
 
   std::mutex guard;
   std::condition_variable ready;
   bool stopping = false;
   std::optional<Server> server;
+  std::set<ClientId> foxglove_clients;  ///< on the server's thread only
   Desk desk;
+  FoxgloveDesk foxglove;
 };
 
 Viewer::Viewer(std::unique_ptr<State> state) : state_(std::move(state)) {}

@@ -3,4 +3,12 @@ import "./style.css";
 
 import { App } from "./app";
 
-new App(document.getElementById("app") ?? document.body).start();
+declare global {
+  interface Window {
+    /** For the browser test and the console. */
+    scanfuse?: App;
+  }
+}
+
+window.scanfuse = new App(document.getElementById("app") ?? document.body);
+window.scanfuse.start();

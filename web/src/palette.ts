@@ -38,7 +38,7 @@ export const PALETTES: Record<ThemeName, Palette> = {
     noise: "#7d8b99",
     truth: "#f2f2f2",
     selected: "#f0e442",
-    classes: ["#b8c4d0", "#56b4e9", "#e69f00", "#2fc79a", "#d98cb8"],
+    classes: ["#dfe6ee", "#56b4e9", "#e69f00", "#1fa37c", "#c86fa3"],
     events: ["#2fc79a", "#e69f00", "#ff7a52", "#d98cb8"],
   },
   light: {
@@ -55,7 +55,7 @@ export const PALETTES: Record<ThemeName, Palette> = {
     noise: "#7a8794",
     truth: "#303030",
     selected: "#7a5f00",
-    classes: ["#55626f", "#0064a0", "#9c5700", "#00704f", "#96406f"],
+    classes: ["#1f2730", "#0064a0", "#a35c00", "#00704f", "#8f2f6b"],
     events: ["#00704f", "#9c5700", "#b83b00", "#96406f"],
   },
 };
