@@ -10,7 +10,7 @@ namespace {
 using Json = nlohmann::json;
 constexpr std::size_t kMostAtOnce = 1000;
 
-std::string text_of(const Json& json) {
+std::string dumped(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -65,12 +65,12 @@ Result<FoxgloveRequest> parse_foxglove(std::string_view text) {
 }
 
 std::string foxglove_server_info(std::string_view name, std::string_view session) {
-  return text_of({{"op", "serverInfo"},
-                  {"name", name},
-                  {"capabilities", {"time"}},
-                  {"supportedEncodings", Json::array()},
-                  {"metadata", Json::object()},
-                  {"sessionId", session}});
+  return dumped({{"op", "serverInfo"},
+                 {"name", name},
+                 {"capabilities", {"time"}},
+                 {"supportedEncodings", Json::array()},
+                 {"metadata", Json::object()},
+                 {"sessionId", session}});
 }
 
 std::string foxglove_advertise(const std::vector<FoxgloveChannel>& channels) {
@@ -83,11 +83,11 @@ std::string foxglove_advertise(const std::vector<FoxgloveChannel>& channels) {
                     {"schema", channel.schema},
                     {"schemaEncoding", channel.schema_encoding}});
   }
-  return text_of({{"op", "advertise"}, {"channels", list}});
+  return dumped({{"op", "advertise"}, {"channels", list}});
 }
 
 std::string foxglove_status(FoxgloveLevel level, std::string_view text) {
-  return text_of({{"op", "status"}, {"level", static_cast<int>(level)}, {"message", text}});
+  return dumped({{"op", "status"}, {"level", static_cast<int>(level)}, {"message", text}});
 }
 
 std::string foxglove_data(std::uint32_t subscription, Time time, std::string_view payload) {

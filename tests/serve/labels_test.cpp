@@ -70,7 +70,8 @@ TEST_F(LabelsTest, EveryChangeCanBeUndone) {
   request.object = tracks_[0];
   request.frame = labels_.objects().at(tracks_[0]).boxes.begin()->first;
   request.box = Box2{{1, 2}, 0.5, 4, 2};
-  for (const auto action : {Action::kCorrect, Action::kClass, Action::kRemoveFrame, Action::kRemove}) {
+  for (const auto action :
+       {Action::kCorrect, Action::kClass, Action::kRemoveFrame, Action::kRemove}) {
     request.action = action;
     ASSERT_TRUE(labels_.apply(request, *run_, bench_->log()));
     EXPECT_NE(labels_.csv(bench_->log()), before);

@@ -29,11 +29,19 @@ TEST(Requests, AreReadWithTheirNumbers) {
 
 TEST(Requests, WhatIsWrongIsSaidInWords) {
   for (const std::string text :
-       {std::string(""), std::string("["), std::string("[]"), std::string("7"), std::string("null"),
-        std::string(R"({"op":7})"), std::string(R"({"op":"fly"})"), std::string(R"({})"),
-        std::string(R"({"op":"frame","frame":-1})"), std::string(R"({"op":"frame","frame":1.5})"),
+       {std::string(""),
+        std::string("["),
+        std::string("[]"),
+        std::string("7"),
+        std::string("null"),
+        std::string(R"({"op":7})"),
+        std::string(R"({"op":"fly"})"),
+        std::string(R"({})"),
+        std::string(R"({"op":"frame","frame":-1})"),
+        std::string(R"({"op":"frame","frame":1.5})"),
         std::string(R"({"op":"frame","frame":4294967296})"),
-        std::string(R"({"op":"frame","frame":"7"})"), std::string(R"({"op":"frame","run":2})"),
+        std::string(R"({"op":"frame","frame":"7"})"),
+        std::string(R"({"op":"frame","run":2})"),
         std::string(R"({"op":"frame","frame":1e400})"),
         std::string(R"({"op":"trails","length":201})"),
         std::string(R"({"op":"tune","changes":"track.gate=9"})"),
@@ -43,7 +51,8 @@ TEST(Requests, WhatIsWrongIsSaidInWords) {
         std::string(R"({"op":"label","action":"correct","object":1,"x_m":1,"y_m":1,)"
                     R"("heading_rad":0,"length_m":-4,"width_m":2})"),
         std::string(R"({"op":"label","action":"correct","object":1,"x_m":1e9})"),
-        std::string(100000, '['), std::string("\xff\xfe\x00", 3)}) {
+        std::string(100000, '['),
+        std::string("\xff\xfe\x00", 3)}) {
     const auto request = parse_request(text);
     ASSERT_FALSE(request) << text.substr(0, 80);
     EXPECT_FALSE(request.error().message.empty());

@@ -14,22 +14,21 @@
 namespace scanfuse::serve {
 namespace {
 
+using scanfuse::testing::RawClient;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
-using scanfuse::testing::RawClient;
 
 /// Answers every text by itself.
 struct Echo {
   explicit Echo(ServerOptions options = {}) {
     options.port = 0;
-    auto started = Server::start(
-        options, {[this](ClientId, std::string_view) { ++opened; },
-                  [this](ClientId id, std::string message, bool) {
-                    ready.wait();
-                    server->send(id, {std::move(message), false, 0});
-                  },
-                  [this](ClientId) { ++closed; }});
+    auto started = Server::start(options, {[this](ClientId, std::string_view) { ++opened; },
+                                           [this](ClientId id, std::string message, bool) {
+                                             ready.wait();
+                                             server->send(id, {std::move(message), false, 0});
+                                           },
+                                           [this](ClientId) { ++closed; }});
     EXPECT_TRUE(started) << started.error().message;
     server = std::make_unique<Server>(std::move(*started));
     set.set_value();
@@ -80,8 +79,9 @@ TEST(Server, RefusesForeignHostsAndMethods) {
 
 TEST(Server, ClosesOnWhatIsNoHttp) {
   const Echo echo;
-  for (const std::string text : {std::string("\x16\x03\x01\x02", 4), std::string("GET\r\n\r\n"),
-                                 std::string(20000, 'a'), std::string("GET / HTTP/1.1\r\nHost: ") + std::string(9000, 'h') + "\r\n\r\n"}) {
+  for (const std::string text :
+       {std::string("\x16\x03\x01\x02", 4), std::string("GET\r\n\r\n"), std::string(20000, 'a'),
+        std::string("GET / HTTP/1.1\r\nHost: ") + std::string(9000, 'h') + "\r\n\r\n"}) {
     RawClient client(echo.server->port());
     client.write(text + "\r\n\r\n");
     EXPECT_THAT(client.read_until("never"), Not(HasSubstr(" 200 ")));

@@ -9,8 +9,8 @@
 namespace scanfuse::serve {
 namespace {
 
-using ::testing::HasSubstr;
 using scanfuse::testing::RawClient;
+using ::testing::HasSubstr;
 
 /// The whole of it, from a simulated world to bytes on a socket.
 class ViewerTest : public ::testing::Test {

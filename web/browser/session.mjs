@@ -47,11 +47,20 @@ export async function openPage(browser, address, viewport = { width: 1280, heigh
   return { page, problems };
 }
 
+/** Asks again and again: the page's policy forbids Playwright's own way of waiting. */
+export async function waitUntil(page, what, says, argument, limitMs = 60000) {
+  const end = Date.now() + limitMs;
+  while (Date.now() < end) {
+    if (await page.evaluate(what, argument)) return;
+    await page.waitForTimeout(50);
+  }
+  throw new Error(`waited in vain until ${says}`);
+}
+
 /** Waits until the recording is read and its first frame is drawn. */
-export async function waitForData(page, frames = 1) {
-  await page.waitForFunction(
-    (least) => {
-      const app = window.scanfuse;
-      return app && app.player.count >= least && app.stage.panes[0].frame !== null;
-    }, frames, { timeout: 60000 });
+export function waitForData(page, frames = 1) {
+  return waitUntil(page, (least) => {
+    const app = window.scanfuse;
+    return Boolean(app && app.player.count >= least && app.stage.panes[0].frame !== null);
+  }, `${frames} frames were there`, frames);
 }

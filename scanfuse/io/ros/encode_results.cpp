@@ -37,27 +37,27 @@ struct Marker {
   std::string text;
 };
 
-void write_vector(CdrWriter& out, const Eigen::Vector3d& v) {
+void put_vector(CdrWriter& out, const Eigen::Vector3d& v) {
   for (const double value : v) out.write(value);
 }
 
-void write_header(CdrWriter& out, Time stamp, std::string_view frame) {
+void put_header(CdrWriter& out, Time stamp, std::string_view frame) {
   out.write_time(stamp);
   out.write_string(frame);
 }
 
 void write_marker(CdrWriter& out, const Marker& marker, const StepResult& step) {
-  write_header(out, step.stamp, step.coordinate_frame);
+  put_header(out, step.stamp, step.coordinate_frame);
   out.write_string("tracks");
   out.write(marker.id);
   out.write(marker.type);
   out.write(marker.action);
-  write_vector(out, marker.position_m);
+  put_vector(out, marker.position_m);
   for (const double q :
        {0.0, 0.0, std::sin(marker.heading_rad / 2), std::cos(marker.heading_rad / 2)}) {
     out.write(q);
   }
-  write_vector(out, marker.scale_m);
+  put_vector(out, marker.scale_m);
   for (const float part : marker.colour) out.write(part);
   out.write(std::int32_t{0});  // lifetime: until the next array
   out.write(std::uint32_t{0});
@@ -65,7 +65,7 @@ void write_marker(CdrWriter& out, const Marker& marker, const StepResult& step) 
   out.write(std::uint32_t{0});  // points
   out.write(std::uint32_t{0});  // colors
   out.write_string("");         // texture_resource
-  write_header(out, Time{}, "");
+  put_header(out, Time{}, "");
   out.write_string("");         // texture.format
   out.write(std::uint32_t{0});  // texture.data
   out.write(std::uint32_t{0});  // uv_coordinates
@@ -119,7 +119,7 @@ EncodedMessage encode_markers(const StepResult& step) {
 
 EncodedMessage encode_diagnostics(Time stamp, const std::vector<DiagnosticStatus>& status) {
   CdrWriter out;
-  write_header(out, stamp, "");
+  put_header(out, stamp, "");
   out.write(static_cast<std::uint32_t>(status.size()));
   for (const auto& one : status) {
     out.write(static_cast<std::uint8_t>(one.level));
