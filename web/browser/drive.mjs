@@ -58,7 +58,7 @@ async function playAndScrub(page) {
   const bar = await page.locator(".timeline").boundingBox();
   const count = await page.evaluate(() => window.scanfuse.player.count);
   for (const share of [0.9, 0.2, 0.6]) {
-    await page.mouse.click(bar.x + share * bar.width, bar.y + bar.height / 2);
+    await page.mouse.click(bar.x + 52 + share * (bar.width - 58), bar.y + bar.height / 2);
     const frame = await frameShown(page);
     check(Math.abs(frame / count - share) < 0.1, `a click on the timeline goes there: ${frame} of ${count}`);
     await waitUntil(page, (f) => window.scanfuse.stage.panes[0].frame?.frame === f, "that frame is drawn", frame);

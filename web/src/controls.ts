@@ -16,11 +16,11 @@ export class Transport {
     this.speed = choice(SPEEDS.map((s) => `${s} x`), "1 x", "Speed", (text) =>
       player.setSpeed(parseFloat(text)));
     this.element.append(
-      button("⏮", "Event before ([)", () => jump(-1)),
-      button("◀", "Frame back (left)", () => player.step(-1)),
+      button("‹ event", "Event before ([)", () => jump(-1)),
+      button("-1", "Frame back (left)", () => player.step(-1)),
       this.play,
-      button("▶|", "Frame on (right)", () => player.step(1)),
-      button("⏭", "Event after (])", () => jump(1)),
+      button("+1", "Frame on (right)", () => player.step(1)),
+      button("event ›", "Event after (])", () => jump(1)),
       this.speed, this.time);
     player.changed.on(() => this.draw());
     player.moved.on(() => this.draw());

@@ -5,7 +5,8 @@ import { EVENT_NAMES, type TrackEvent } from "./protocol";
 import type { Settings } from "./settings";
 
 const ROW = 9;
-const TOP = 6;
+const TOP = 8;
+const GUTTER = 52; // for the names of the rows
 const MOST_PER_ROW = 400;
 
 /** The bar below the scene: where we are, the events of all tracks, the life of the selected one. */
@@ -59,7 +60,12 @@ export class Timeline {
   }
 
   private xOf(frame: number): number {
-    return (this.player.timeOf(frame) / Math.max(1e-9, this.player.duration)) * this.element.clientWidth;
+    return this.xAt(this.player.timeOf(frame));
+  }
+
+  private xAt(time: number): number {
+    const width = this.element.clientWidth - GUTTER - 6;
+    return GUTTER + (time / Math.max(1e-9, this.player.duration)) * width;
   }
 
   private bar(pen: CanvasRenderingContext2D, [from, to]: [number, number], y: number, thick: number, colour: string): void {
@@ -79,6 +85,8 @@ export class Timeline {
     marked.forEach((row, kind) => {
       pen.fillStyle = colours[kind] ?? "#888888";
       const y = TOP + kind * ROW;
+      pen.font = "10px system-ui, sans-serif";
+      pen.fillText(EVENT_NAMES[kind] ?? "", 6, y + 3);
       for (const x of row) sign(pen, kind, x, y);
     });
   }
@@ -90,7 +98,7 @@ export class Timeline {
     pen.fillStyle = colour;
     pen.font = "11px system-ui, sans-serif";
     for (let t = 0; t <= duration; t += step) {
-      const x = (t / duration) * width;
+      const x = this.xAt(t);
       pen.fillRect(x, height - 16, 1, 4);
       if (x < width - 40) pen.fillText(clock(t).replace(/\.0$/, ""), x + 3, height - 8);
     }
@@ -100,7 +108,7 @@ export class Timeline {
     let dragging = false;
     const frameAt = (event: PointerEvent) => {
       const box = this.element.getBoundingClientRect();
-      const share = (event.clientX - box.left) / Math.max(1, box.width);
+      const share = (event.clientX - box.left - GUTTER) / Math.max(1, box.width - GUTTER - 6);
       return this.player.frameAt(share * this.player.duration);
     };
     this.element.addEventListener("pointerdown", (event) => {

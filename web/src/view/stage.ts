@@ -7,6 +7,7 @@ import type { Settings } from "../settings";
 import { Signal } from "../signal";
 import { Cameras } from "./cameras";
 import { contains } from "./geometry";
+import { GroundGrid } from "./ground_grid";
 import { Pane } from "./pane";
 import { TagOverlay } from "./tags";
 import { TrailMemory } from "./trail_memory";
@@ -23,16 +24,19 @@ export class Stage {
   private readonly renderer: THREE.WebGLRenderer;
   private readonly cameras: Cameras;
   private readonly tags = new TagOverlay();
-  private readonly grid = new THREE.Group();
+  private readonly grid = new GroundGrid();
   private dirty = true;
   private width = 1;
   private height = 1;
-  private followed: { x: number; y: number; z: number } | null = null;
+  private followed: { id: number | null; x: number; y: number; z: number } | null = null;
   private placed = false;
 
   constructor(private readonly settings: Settings) {
     this.panes = [new Pane(settings, new TrailMemory()), new Pane(settings, new TrailMemory())];
+    // Colours are given as they are to be seen; nothing is lit.
+    THREE.ColorManagement.enabled = false;
     this.renderer = new THREE.WebGLRenderer({ antialias: true });
+    this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
     this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
     this.renderer.setScissorTest(true);
     this.renderer.autoClear = false;
@@ -49,7 +53,7 @@ export class Stage {
   /** What the settings changed. */
   restyle(): void {
     this.cameras.setTop(this.settings.view === "top");
-    this.makeGrid();
+    this.grid.colour(PALETTES[this.settings.theme].grid);
     this.resize();
   }
 
@@ -66,9 +70,9 @@ export class Stage {
     const frame = this.panes[0].frame;
     if (!frame) return;
     const track = frame.tracks.find((one) => one.id === this.settings.selected);
-    const { x, y, z } = track ?? frame.egoPose;
-    this.cameras.look(x, y, frame.egoPose.z, track ? 12 : reachOf(frame));
-    this.followed = { x, y, z };
+    const all = extentOf(frame);
+    if (track) this.cameras.look(track.x, track.y, frame.egoPose.z, 12);
+    else this.cameras.look(all.x, all.y, frame.egoPose.z, all.reach);
     this.redraw();
   }
 
@@ -84,7 +88,7 @@ export class Stage {
     this.renderer.setClearColor(PALETTES[this.settings.theme].ground);
     for (const [i, pane] of this.panes.entries()) {
       if (i === 1 && !split) break;
-      pane.scene.add(this.grid);
+      pane.scene.add(this.grid.object);
       this.renderer.setViewport(i * width, 0, width, this.height);
       this.renderer.setScissor(i * width, 0, width, this.height);
       this.renderer.clear();
@@ -110,17 +114,17 @@ export class Stage {
     if (!this.placed && frame.positions.length > 0) {
       this.placed = true;
       this.fit();
-      return;
     }
     const selected = frame.tracks.find((one) => one.id === this.settings.selected);
-    const now = selected ?? frame.egoPose;
-    const target = { x: now.x, y: now.y, z: frame.egoPose.z };
-    if (this.settings.follow && this.followed) {
-      const { x, y, z } = this.followed;
-      const far = Math.hypot(target.x - x, target.y - y) > 30;
-      if (!far || !selected) this.cameras.carry(target.x - x, target.y - y, target.z - z);
+    const { x, y } = selected ?? frame.egoPose;
+    const now = { id: selected?.id ?? null, x, y, z: frame.egoPose.z };
+    const last = this.followed;
+    // Moves along with what is followed; a change of it moves nothing.
+    if (this.settings.follow && last && last.id === now.id) {
+      this.cameras.carry(x - last.x, y - last.y, now.z - last.z);
     }
-    this.followed = target;
+    this.followed = now;
+    this.grid.centre(frame.egoPose.x, frame.egoPose.y, frame.egoPose.z);
   }
 
   private resize(): void {
@@ -128,15 +132,6 @@ export class Stage {
     this.height = Math.max(1, this.element.clientHeight);
     this.renderer.setSize(this.width, this.height);
     this.redraw();
-  }
-
-  private makeGrid(): void {
-    this.grid.clear();
-    const colour = new THREE.Color(PALETTES[this.settings.theme].grid);
-    const lines = new THREE.GridHelper(400, 40, colour, colour);
-    lines.rotation.x = Math.PI / 2;
-    this.grid.add(lines);
-    this.grid.position.z = (this.panes[0].frame?.egoPose.z ?? 0) - 0.02;
   }
 
   private listen(): void {
@@ -192,16 +187,23 @@ export class Stage {
   }
 }
 
-/** Within which most returns lie, and the tracks. */
-function reachOf(frame: Frame): number {
-  const distances: number[] = [];
-  const stride = 3 * Math.max(1, Math.floor(frame.positions.length / 3000));
+/** The middle of the returns and the reach within which most of them lie. */
+function extentOf(frame: Frame): { x: number; y: number; reach: number } {
+  const stride = 3 * Math.max(1, Math.floor(frame.positions.length / 9000));
+  const xs: number[] = [];
+  const ys: number[] = [];
   for (let i = 0; i < frame.positions.length; i += stride) {
-    const dx = (frame.positions[i] ?? 0) - frame.egoPose.x;
-    const dy = (frame.positions[i + 1] ?? 0) - frame.egoPose.y;
-    distances.push(Math.hypot(dx, dy));
+    xs.push(frame.positions[i] ?? 0);
+    ys.push(frame.positions[i + 1] ?? 0);
   }
-  distances.sort((a, b) => a - b);
-  const typical = distances[Math.floor(0.8 * distances.length)] ?? 20;
-  return Math.max(4, Math.min(60, 1.1 * typical));
+  xs.push(frame.egoPose.x);
+  ys.push(frame.egoPose.y);
+  const at = (values: number[], share: number) => values[Math.floor(share * (values.length - 1))] ?? 0;
+  for (const values of [xs, ys]) values.sort((a, b) => a - b);
+  const [x0, x1, y0, y1] = [at(xs, 0.03), at(xs, 0.9), at(ys, 0.05), at(ys, 0.95)];
+  const left = Math.min(x0, frame.egoPose.x);
+  const x = (left + Math.max(x1, frame.egoPose.x)) / 2;
+  const y = (y0 + y1) / 2;
+  const reach = Math.max(x1 - x, x - left, (y1 - y0) / 2);
+  return { x, y, reach: Math.max(3, Math.min(60, 1.15 * reach)) };
 }
