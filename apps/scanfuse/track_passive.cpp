@@ -90,6 +90,8 @@ Track as_track(const PassiveTrack& point) {
   return track;
 }
 
+}  // namespace
+
 StepResult as_step(const BearingScan& scan, const triangulate::PassiveStep& found) {
   StepResult step;
   step.stamp = scan.stamp;
@@ -99,6 +101,8 @@ StepResult as_step(const BearingScan& scan, const triangulate::PassiveStep& foun
   for (const PassiveTrack& track : found.tracks) step.tracks.push_back(as_track(track));
   return step;
 }
+
+namespace {
 
 struct PassiveOutcome {
   std::int64_t scans = 0;

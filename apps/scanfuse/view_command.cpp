@@ -37,9 +37,10 @@ std::string address_of(const ViewRequest& request, int port) {
   return fmt::format("http://{}{}{}:{}/{}", v6 ? "[" : "", host, v6 ? "]" : "", port, query);
 }
 
-int run(const ViewRequest& given, const CommonOptions& common) {
+}  // namespace
+
+int run_view(ViewRequest request, const CommonOptions& common) {
   catch_interrupts();
-  ViewRequest request = given;
   if (!serve::is_loopback_address(request.server.address) && request.server.token.empty()) {
     request.server.token = serve::random_token();
   }
@@ -65,10 +66,9 @@ int run(const ViewRequest& given, const CommonOptions& common) {
   return kDone;
 }
 
-}  // namespace
-
 void add_view(Tool& tool) {
   auto request = std::make_shared<ViewRequest>();
+  request->track.scoring.options.min_visible_points = 1;
   auto* app = tool.app->add_subcommand("view", "Look at a recording and its tracks in a browser");
   app->add_option("input", request->track.input,
                   "Recording (file or folder), points in CSV, tracks (MCAP) of ours")
@@ -93,6 +93,9 @@ void add_view(Tool& tool) {
   app->add_option("--truth", request->track.truth.path,
                   "Show and compare with this truth: a table, KITTI labels, a recording");
   add_truth_options(*app, request->track.truth);
+  app->add_option("--sensors", request->track.sensors,
+                  "Where the passive sensors are: a TOML file; the input is their bearings")
+      ->check(CLI::ExistingFile);
   app->add_flag("--again", request->again,
                 "Track again, though the recording carries tracks of ours");
   app->add_option("--labels", request->labels,
@@ -114,13 +117,14 @@ void add_view(Tool& tool) {
       "Examples:\n"
       "  scanfuse view drive.mcap\n"
       "  scanfuse view lap.bag --ego-topic /ego_pose --mount -0.12,0,0 --preset vehicle-model\n"
+      "  scanfuse view bearings.csv --sensors sensors.toml\n"
       "  scanfuse view tracks.mcap --labels truth.csv\n"
       "  scanfuse view drive.mcap --listen 0.0.0.0 --port 8080\n"
       "Foxglove and Lichtblick connect to the same port: ws://localhost:8765.\n");
   app->callback([&tool, app, request] {
     request->server.next_free_port = app->count("--port") == 0;
     request->has_preset = app->count("--preset") > 0;
-    *tool.exit_code = run(*request, *tool.common);
+    *tool.exit_code = run_view(*request, *tool.common);
   });
 }
 

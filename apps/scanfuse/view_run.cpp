@@ -68,6 +68,10 @@ Result<serve::ShowScan> show_for(const ViewRequest& request,
 }
 
 Result<std::unique_ptr<serve::Workbench>> open_bench(const ViewRequest& request) {
+  if (io::table_kind(request.track.input) == io::TableKind::kBearings) {
+    return fail(Error::Code::kUnsupported,
+                "{}: bearings; say where the sensors are: --sensors TOML", request.track.input);
+  }
   const auto options = resolve_options(request.track);
   if (!options) return tl::unexpected(options.error());
   auto truth = truth_for(request.track);
@@ -106,7 +110,8 @@ Result<OpenView> open_view(const ViewRequest& request, const CommonOptions&) {
   if (auto fine = refuse_to_replace(request.track.input, request.labels); !fine) {
     return tl::unexpected(fine.error());
   }
-  auto bench = open_bench(request);
+  auto bench =
+      request.track.sensors.empty() ? open_bench(request) : open_passive_bench(request.track);
   if (!bench) return tl::unexpected(bench.error());
   auto labels = std::make_unique<serve::Labels>(request.labels);
   if (auto done = load_labels(request.labels, **bench, *labels); !done) {

@@ -26,6 +26,13 @@ struct OpenView {
   serve::Viewer viewer;
 };
 
+/// Bearings of passive sensors, tracked as `track --sensors` does.
+[[nodiscard]] Result<std::unique_ptr<serve::Workbench>> open_passive_bench(
+    const TrackRequest& request);
+
+/// Serves until Ctrl-C; prints the address on stdout.
+[[nodiscard]] int run_view(ViewRequest request, const CommonOptions& common);
+
 /// Starts to read, to track and to serve.
 [[nodiscard]] Result<OpenView> open_view(const ViewRequest& request, const CommonOptions& common);
 

@@ -41,12 +41,12 @@ void Run::follow(std::uint32_t frame, const std::vector<Track>& tracks) {
   alive_ = std::move(now);
 }
 
-void Run::find_switches(std::uint32_t frame, const std::vector<Track>& tracks,
-                        const std::vector<TruthObject>& truth) {
+void Run::find_switches(const std::vector<TruthObject>& truth) {
+  const auto frame = static_cast<std::uint32_t>(first_ + places_.size() - 1);
   for (const auto& object : truth) {
     const Track* nearest = nullptr;
     double best = kFollowsM;
-    for (const Track& track : tracks) {
+    for (const Track& track : last_tracks_) {
       const double distance = (track.box.centre_m - object.position_m).norm();
       if (track.status == TrackStatus::kTentative || !(distance < best)) continue;
       best = distance;
@@ -67,11 +67,12 @@ Result<void> Run::add(const ShownFrame& shown) {
   if (!packed) return tl::unexpected(packed.error());
   auto step = spool_->put(io::mcap::tracks_json(shown.step));
   if (!step) return tl::unexpected(step.error());
-  const auto truth = log_->truth_at(frame);
+  const auto truth = frame > first_ ? log_->truth_at(frame - 1) : std::vector<TruthObject>{};
   const std::unique_lock lock(guard_);
+  if (!places_.empty()) find_switches(truth);
   places_.push_back({*packed, *step});
   follow(frame, shown.step.tracks);
-  find_switches(frame, shown.step.tracks, truth);
+  last_tracks_ = shown.step.tracks;
   return {};
 }
 

@@ -58,8 +58,8 @@ class Run {
   };
   void note(std::uint32_t frame, EventKind kind, std::int64_t track);
   void follow(std::uint32_t frame, const std::vector<Track>& tracks);
-  void find_switches(std::uint32_t frame, const std::vector<Track>& tracks,
-                     const std::vector<TruthObject>& truth);
+  /// Of the frame before: its truth may come after its scan.
+  void find_switches(const std::vector<TruthObject>& truth);
 
   RunName name_;
   const ScanLog* log_;
@@ -71,7 +71,8 @@ class Run {
   std::map<std::int64_t, Life> lives_;
   std::set<std::int64_t> alive_;
   std::map<std::int64_t, std::int64_t>
-      followed_by_;  ///< truth object -> the track that had it last
+      followed_by_;                 ///< truth object -> the track that had it last
+  std::vector<Track> last_tracks_;  ///< of the newest frame
   std::uint32_t confirmed_ = 0;
 };
 

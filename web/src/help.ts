@@ -22,13 +22,12 @@ export function helpSheet(commands: Command[]): HTMLDialogElement {
   }
   const signs = h("dl", { class: "facts" });
   for (const [sign, meaning] of SIGNS) signs.append(h("dt", {}, sign), h("dd", {}, meaning));
-  const sheet = h("dialog", { class: "help", "aria-label": "Help" },
-    h("h2", {}, "What is what"), signs,
+  const close = h("button", { type: "button", class: "primary", onclick: () => sheet.close() }, "Close");
+  const sheet: HTMLDialogElement = h("dialog", { class: "help", "aria-label": "Help" },
+    close, h("h2", {}, "What is what"), signs,
     h("h2", {}, "Mouse and touch"),
     h("p", {}, "Drag turns the view, right drag (two fingers) moves it, the wheel zooms. In the top view a drag moves. A click selects a track."),
     h("h2", {}, "Keys"), keys);
-  const close = h("button", { type: "button", class: "primary", onclick: () => sheet.close() }, "Close");
-  sheet.append(close);
   sheet.addEventListener("click", (event) => {
     if (event.target === sheet) sheet.close();
   });

@@ -10,6 +10,7 @@ export function listenForKeys(commands: Command[]): void {
   for (const command of commands) for (const key of command.keys) byKey.set(key, command);
   window.addEventListener("keydown", (event) => {
     const target = event.target as HTMLElement | null;
+    if (document.querySelector("dialog[open]")) return; // the sheet has its own keys
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     if (target && /^(INPUT|SELECT|TEXTAREA)$/.test(target.tagName)) return;
     // A button takes the space bar and the return key for itself.

@@ -4,7 +4,7 @@ import type { Player } from "./player";
 import { EVENT_NAMES, type TrackEvent } from "./protocol";
 import type { Settings } from "./settings";
 
-const ROW = 9;
+const ROW = 11;
 const TOP = 8;
 const GUTTER = 52; // for the names of the rows
 const MOST_PER_ROW = 400;
@@ -85,7 +85,7 @@ export class Timeline {
     marked.forEach((row, kind) => {
       pen.fillStyle = colours[kind] ?? "#888888";
       const y = TOP + kind * ROW;
-      pen.font = "10px system-ui, sans-serif";
+      pen.font = "11px system-ui, sans-serif";
       pen.fillText(EVENT_NAMES[kind] ?? "", 6, y + 3);
       for (const x of row) sign(pen, kind, x, y);
     });

@@ -3,8 +3,8 @@ import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 
 /** Two ways to look: from above without perspective, and freely in space. One set of controls. */
 export class Cameras {
-  readonly space = new THREE.PerspectiveCamera(50, 1, 0.1, 5000);
-  readonly above = new THREE.OrthographicCamera(-1, 1, 1, -1, -1000, 2000);
+  readonly space = new THREE.PerspectiveCamera(50, 1, 0.1, 50000);
+  readonly above = new THREE.OrthographicCamera(-1, 1, 1, -1, -20000, 20000);
   private readonly spaceControls: OrbitControls;
   private readonly aboveControls: OrbitControls;
   private isTop = false;
@@ -33,6 +33,11 @@ export class Cameras {
 
   get camera(): THREE.Camera {
     return this.isTop ? this.above : this.space;
+  }
+
+  /** From what is looked at, as seen in space or as far as the top view shows. */
+  get distance(): number {
+    return this.isTop ? 1 / this.above.zoom : this.space.position.distanceTo(this.spaceControls.target);
   }
 
   set enabled(value: boolean) {

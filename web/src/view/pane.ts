@@ -54,8 +54,8 @@ export class Pane {
     if (shown.truth) this.drawTruth(frame);
     if (shown.boxes) for (const track of this.visibleTracks()) this.drawTrack(frame, track);
     if (shown.sight) this.drawSight(frame);
-    this.drawRays(frame);
-    this.drawSensor(frame);
+    if (frame.rays.length > 0) this.drawRays(frame);
+    else this.drawSensor(frame);
     this.drawLabels();
     for (const layer of [this.lines, this.pale, this.faces]) layer.end();
   }
@@ -82,9 +82,11 @@ export class Pane {
     const colour = rgb(hex);
     const faint = track.status === COASTING || track.status === TENTATIVE;
     const layer = faint ? this.pale : this.lines;
-    const low = this.ground(frame);
-    const high = low + drawnHeight(track, track.class, sceneScale(track));
-    this.drawBox(layer, track, low, high, colour, isSelected || !faint);
+    const isPoint = track.length < 0.01;
+    const low = isPoint ? track.z : this.ground(frame);
+    const high = isPoint ? low : low + drawnHeight(track, track.class, sceneScale(track));
+    if (isPoint) this.drawMark([track.x, track.y, low], this.markSize(frame), layer, colour);
+    else this.drawBox(layer, track, low, high, colour, isSelected || !faint);
     const reach = Math.hypot(track.vx, track.vy);
     if (reach > 0.3) {
       const ahead = [track.x + track.vx, track.y + track.vy];
@@ -175,11 +177,30 @@ export class Pane {
     }
   }
 
+  /** Lines of sight, and a mark for each sensor that tells directions only. */
   private drawRays(frame: Frame): void {
+    const size = this.markSize(frame);
+    const marked = new Set<number>();
     for (const ray of frame.rays) {
       const colour = rgb(ray.target < 0 ? this.palette.noise : this.palette.accent);
       this.pale.line(ray.from, ray.to, ray.from[2], ray.to[2], colour);
+      if (marked.has(ray.sensor)) continue;
+      marked.add(ray.sensor);
+      this.drawMark(ray.from, 1.5 * size, this.lines, rgb(this.palette.text));
+      const [x, y, z] = ray.from;
+      this.tags.push({ text: `sensor ${ray.sensor + 1}`, x, y, z, colour: this.palette.text, track: null });
     }
+  }
+
+  private drawMark([x, y, z]: [number, number, number], r: number, layer: LineLayer, colour: number[]): void {
+    layer.loop([[x + r, y], [x, y + r], [x - r, y], [x, y - r]], z, colour);
+    layer.line([x, y], [x, y], z - r, z + r, colour);
+  }
+
+  /** What is but a point is drawn so that it can be seen from where all can. */
+  private markSize(frame: Frame): number {
+    const reach = Math.max(10, ...frame.rays.map((r) => Math.hypot(r.to[0] - r.from[0], r.to[1] - r.from[1])));
+    return reach / 80;
   }
 
   private drawLabels(): void {
@@ -196,7 +217,7 @@ export class Pane {
 }
 
 export function nameOf(track: Track): string {
-  const letters = ["?", "car", "person", "cyclist", "other"];
+  const letters = ["", "car", "person", "cyclist", "other"];
   const state = track.status === COASTING ? " (coasting)" : track.status === TENTATIVE ? " (new)" : "";
   return `${track.id} ${letters[track.class] ?? ""}${state}`;
 }

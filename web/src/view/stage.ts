@@ -111,7 +111,7 @@ export class Stage {
   }
 
   private follow(frame: Frame): void {
-    if (!this.placed && frame.positions.length > 0) {
+    if (!this.placed && frame.positions.length + frame.rays.length > 0) {
       this.placed = true;
       this.fit();
     }
@@ -124,7 +124,7 @@ export class Stage {
       this.cameras.carry(x - last.x, y - last.y, now.z - last.z);
     }
     this.followed = now;
-    this.grid.centre(frame.egoPose.x, frame.egoPose.y, frame.egoPose.z);
+    this.grid.centre(frame.egoPose.x, frame.egoPose.y, frame.egoPose.z, this.cameras.distance);
   }
 
   private resize(): void {
@@ -176,9 +176,10 @@ export class Stage {
   private trackAt(x: number, y: number, pane: 0 | 1): Track | null {
     let best: Track | null = null;
     let nearest = Infinity;
+    const margin = Math.max(0.6, 0.02 * this.cameras.distance);
     for (const track of this.panes[pane].visibleTracks()) {
       const distance = Math.hypot(track.x - x, track.y - y);
-      if (contains(track, x, y, 0.6) && distance < nearest) {
+      if (contains(track, x, y, margin) && distance < nearest) {
         best = track;
         nearest = distance;
       }
@@ -196,6 +197,10 @@ function extentOf(frame: Frame): { x: number; y: number; reach: number } {
     xs.push(frame.positions[i] ?? 0);
     ys.push(frame.positions[i + 1] ?? 0);
   }
+  for (const { from, to } of frame.rays) {
+    xs.push(from[0], to[0]);
+    ys.push(from[1], to[1]);
+  }
   xs.push(frame.egoPose.x);
   ys.push(frame.egoPose.y);
   const at = (values: number[], share: number) => values[Math.floor(share * (values.length - 1))] ?? 0;
@@ -205,5 +210,5 @@ function extentOf(frame: Frame): { x: number; y: number; reach: number } {
   const x = (left + Math.max(x1, frame.egoPose.x)) / 2;
   const y = (y0 + y1) / 2;
   const reach = Math.max(x1 - x, x - left, (y1 - y0) / 2);
-  return { x, y, reach: Math.max(3, Math.min(60, 1.15 * reach)) };
+  return { x, y, reach: Math.max(3, Math.min(frame.rays.length > 0 ? Infinity : 60, 1.15 * reach)) };
 }
