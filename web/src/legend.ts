@@ -16,6 +16,7 @@ export class Legend {
     this.classes().forEach((name, i) => {
       if (present.has(i)) items.push(swatch(palette.classes[i] ?? "", name));
     });
+    if ((frame?.tracks ?? []).some((t) => t.status === 2)) items.push(h("span", {}, "pale: not seen now"));
     if ((frame?.truth.length ?? 0) > 0) items.push(swatch(palette.truth, "truth (dashed)"));
     fill(this.element, h("span", { class: "hint" }, this.pointsText(frame)), ...this.scale(frame), ...items);
   }

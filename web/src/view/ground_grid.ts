@@ -3,7 +3,7 @@ import * as THREE from "three";
 const CELL_M = 10;
 const CELLS = 16;
 
-/** Lines every ten metres around the vehicle, every hundred or thousand from far away; in short pieces, which every renderer clips well. */
+/** Lines every ten metres around the vehicle, every metre from near, every hundred or thousand from afar; in short pieces, which every renderer clips well. */
 export class GroundGrid {
   readonly object: THREE.LineSegments;
   private readonly material = new THREE.LineBasicMaterial();
@@ -27,7 +27,7 @@ export class GroundGrid {
 
   /** Stays on whole cells, so that the ground does not seem to move along. */
   centre(x: number, y: number, z: number, distance: number): void {
-    const scale = distance < 300 ? 1 : distance < 3000 ? 10 : 100;
+    const scale = distance < 20 ? 0.1 : distance < 300 ? 1 : distance < 3000 ? 10 : 100;
     const cell = scale * CELL_M;
     this.object.scale.set(scale, scale, 1);
     this.object.position.set(cell * Math.round(x / cell), cell * Math.round(y / cell), z - 0.02);

@@ -22,6 +22,7 @@ export interface Tag {
   z: number;
   colour: string;
   track: number | null;
+  faint: boolean;
 }
 
 /** The scene of one run: everything that is drawn of a frame. */
@@ -97,7 +98,7 @@ export class Pane {
     }
     if (this.settings.shown.trails) this.drawTrail(frame, track, colour, low);
     if (this.settings.shown.ids) {
-      this.tags.push({ text: nameOf(track), x: track.x, y: track.y, z: high, colour: hex, track: track.id });
+      this.tags.push({ text: nameOf(track), x: track.x, y: track.y, z: high, colour: hex, track: track.id, faint: faint && !isSelected });
     }
   }
 
@@ -164,7 +165,7 @@ export class Pane {
     const z = this.ground(frame);
     const place = frame.sensorPose;
     const turn = (a: number, d: number) => [x + d * Math.cos(heading + a), y + d * Math.sin(heading + a)];
-    const size = 1;
+    const size = Math.max(0.1, Math.min(1, reachOf(frame) / 25)); // no larger than what is around it
     this.lines.loop([turn(0, 1.5 * size), turn(2.5, size), turn(Math.PI, 0.5 * size), turn(-2.5, size)], z, colour);
     this.lines.line([place.x, place.y], [place.x, place.y], z, place.z, colour);
   }
@@ -188,7 +189,7 @@ export class Pane {
       marked.add(ray.sensor);
       this.drawMark(ray.from, 1.5 * size, this.lines, rgb(this.palette.text));
       const [x, y, z] = ray.from;
-      this.tags.push({ text: `sensor ${ray.sensor + 1}`, x, y, z, colour: this.palette.text, track: null });
+      this.tags.push({ text: `sensor ${ray.sensor + 1}`, x, y, z, colour: this.palette.text, track: null, faint: false });
     }
   }
 
@@ -211,15 +212,24 @@ export class Pane {
     for (const label of this.labels) {
       this.lines.loop(corners(label), z + 0.02, colour);
       this.lines.loop(corners({ ...label, length: label.length + 0.15, width: label.width + 0.15 }), z + 0.02, colour);
-      this.tags.push({ text: `object ${label.id}`, x: label.x, y: label.y, z, colour: this.palette.warning, track: null });
+      this.tags.push({ text: `object ${label.id}`, x: label.x, y: label.y, z, colour: this.palette.warning, track: null, faint: false });
     }
   }
 }
 
 export function nameOf(track: Track): string {
   const letters = ["", "car", "person", "cyclist", "other"];
-  const state = track.status === COASTING ? " (coasting)" : track.status === TENTATIVE ? " (new)" : "";
-  return `${track.id} ${letters[track.class] ?? ""}${state}`;
+  return `${track.id} ${letters[track.class] ?? ""}${track.status === TENTATIVE ? " (new)" : ""}`;
+}
+
+/** Within which half of the returns lie, from a few of them. */
+function reachOf(frame: Frame): number {
+  const distances: number[] = [];
+  const stride = 3 * Math.max(1, Math.floor(frame.positions.length / 300));
+  for (let i = 0; i < frame.positions.length; i += stride) {
+    distances.push(Math.hypot((frame.positions[i] ?? 0) - frame.egoPose.x, (frame.positions[i + 1] ?? 0) - frame.egoPose.y));
+  }
+  return distances.sort((a, b) => a - b)[distances.length >> 1] ?? 25;
 }
 
 /** Models of 1:10 are drawn lower than cars. */

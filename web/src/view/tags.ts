@@ -28,6 +28,7 @@ export class TagOverlay {
       if (span.textContent !== tag.text) span.textContent = tag.text;
       span.style.transform = `translate(${x.toFixed(0)}px, ${(y - 18).toFixed(0)}px)`;
       span.style.color = tag.colour;
+      span.classList.toggle("faint", tag.faint);
       span.classList.toggle("selected", tag.track !== null && tag.track === selected);
     }
   }
