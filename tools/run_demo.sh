@@ -23,5 +23,10 @@ track lu2018-2 "$out/lu2018-2-scans.mcap"
 if [ -n "$input" ]; then
   track "$(basename "${input%.*}")" "$input" ${TRACK_OPTIONS:-}
 fi
+shown="$out/lu2018-2-scans.mcap"
 echo
 echo "Look at $out/lu2018-2.html in a browser; open $out/lu2018-2.mcap in Foxglove."
+if [ -t 1 ]; then  # somebody is there: show it until Ctrl-C
+  exec "$tool" view "$shown"
+fi
+echo "In a browser: $tool view $shown"

@@ -47,7 +47,11 @@ int run_view(ViewRequest request, const CommonOptions& common) {
   auto view = open_view(request, common);
   if (!view) return report_error(view.error());
   const std::string address = address_of(request, view->viewer.port());
-  fmt::print("{}\n", address);
+  if (request.json) {
+    fmt::print("{{\"address\":\"{}\",\"port\":{}}}\n", address, view->viewer.port());
+  } else {
+    fmt::print("{}\n", address);
+  }
   std::fflush(stdout);
   if (!common.quiet) {
     fmt::print(stderr, "scanfuse: open it in a browser; Ctrl-C ends\n");
@@ -57,6 +61,13 @@ int run_view(ViewRequest request, const CommonOptions& common) {
   while (!interrupted) {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
     const auto status = view->bench->status();
+    if (status.done && status.frames == 0) {
+      return report_error({Error::Code::kNotFound,
+                           status.problem.empty()
+                               ? request.track.input + ": no scan in it that scanfuse can read; "
+                                                       "`scanfuse info` lists what is there"
+                               : status.problem});
+    }
     if (status.done && !told) {
       told = true;
       if (!status.problem.empty()) report_error({Error::Code::kMalformed, status.problem});
@@ -112,6 +123,7 @@ void add_view(Tool& tool) {
   app->add_option("--max-clients", request->server.max_clients, "Websockets at a time")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
+  app->add_flag("--json", request->json, "The address as a JSON object on stdout");
   app->add_flag("--no-browser", request->stay_closed, "Print the address only");
   app->footer(
       "Examples:\n"

@@ -16,6 +16,7 @@ struct ViewRequest {
   bool again = false;        ///< track, though tracks are stored
   std::string labels;        ///< file, or empty
   bool stay_closed = false;  ///< no browser is opened
+  bool json = false;
   serve::ServerOptions server;
 };
 

@@ -149,6 +149,7 @@ void Workbench::start_trial(std::uint32_t from, pipeline::PerceptionOptions opti
     const std::lock_guard lock(guard_);
     wanted_ = {from, std::move(options)};
     ++trial_number_;
+    trial_runs_ = true;
   }
   changed_.notify_all();
 }
@@ -160,6 +161,7 @@ void Workbench::stop_trial() {
     ++trial_number_;  // what runs sees that it is not the newest
     trial_.reset();
     trial_options_.reset();
+    trial_runs_ = false;
   }
   changed_.notify_all();
 }
@@ -176,7 +178,6 @@ void Workbench::trial_loop() {
     trial_ = run;
     trial_from_ = from;
     trial_options_ = options;
-    trial_runs_ = true;
     lock.unlock();
     run_trial(*run, trial, options);
     lock.lock();
