@@ -2,9 +2,10 @@
 // were advertised, and prints what was found: node foxglove_socket.mjs ws://localhost:PORT
 import { parse } from "@foxglove/rosmsg";
 import { MessageReader } from "@foxglove/rosmsg2-serialization";
-import { FoxgloveClient } from "@foxglove/ws-protocol";
+import protocol from "@foxglove/ws-protocol";  // CommonJS
 import { WebSocket } from "ws";
 
+const { FoxgloveClient } = protocol;
 const [address, subprotocol = FoxgloveClient.SUPPORTED_SUBPROTOCOL] = process.argv.slice(2);
 const client = new FoxgloveClient({ ws: new WebSocket(address, [subprotocol]) });
 const readers = new Map();
