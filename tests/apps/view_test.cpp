@@ -35,7 +35,7 @@ TEST(View, AnAddressThatIsNoneIsRefused) {
 TEST(View, PrintsWhereItServesAndEndsWellOnCtrlC) {
   const TemporaryFolder folder;
   const auto points = folder.write("p.csv", "frame,time_s,x_m,y_m\n0,0,1,2\n1,0.1,1,2\n").string();
-  const auto wait = "timeout -s INT 2 ";
+  const auto wait = "timeout -s INT 4 ";
   const auto out = folder.path() / "address";
   for (const std::string listen : {"127.0.0.1", "0.0.0.0"}) {
     const std::string command = wait + std::string(SCANFUSE_TOOL) + " view --port 0 --no-browser" +
