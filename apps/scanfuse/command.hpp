@@ -45,6 +45,8 @@ void add_evaluate(Tool& tool);
 void add_bench(Tool& tool);
 void add_config(Tool& tool);
 void add_learn(Tool& tool);
+void add_live(Tool& tool);
+void add_record(Tool& tool);
 
 /// Prints "scanfuse: error: ..." on stderr and returns kBadInput.
 int report_error(const Error& error);

@@ -75,6 +75,8 @@ int run(int argc, char** argv) {
   add_bench(tool);
   add_config(tool);
   add_learn(tool);
+  add_live(tool);
+  add_record(tool);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

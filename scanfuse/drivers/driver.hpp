@@ -30,6 +30,8 @@ class Driver {
   virtual void take(ByteView bytes, Time received, Output& out) = 0;
   /// The connection ended: half a telegram will not be completed.
   virtual void lost() = 0;
+  /// A recording ended: what was waiting for more is given as it is.
+  virtual void finish(Output& out) { (void)out; }
   /// What to send before hanging up.
   [[nodiscard]] virtual Bytes farewell() { return {}; }
   [[nodiscard]] virtual const Diagnostics& diagnostics() const = 0;

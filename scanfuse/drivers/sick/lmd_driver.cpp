@@ -70,6 +70,10 @@ class LmdDriver final : public Driver {
         diagnostics_);
   }
 
+  void finish(Output& out) override {
+    if (!layers_.empty()) emit(out);
+  }
+
   void lost() override {
     stream_.clear(diagnostics_);
     layers_.clear();
