@@ -94,10 +94,9 @@ int run_live_command(const LiveCommand& command, const CommonOptions& common) {
   if (!reader) return report_error(reader.error());
   pipeline::LiveReader& live = **reader;
   pipeline::ScanFeed feed(std::move(*reader), {});
-  auto outcome = run_live(feed, live, *options, command.live.seconds,
-                          [&](const StepResult& step, const Scan& scan) {
-                            return outputs->write(step, scan);
-                          });
+  auto outcome = run_live(
+      feed, live, *options, command.live.seconds,
+      [&](const StepResult& step, const Scan& scan) { return outputs->write(step, scan); });
   if (!outcome) return report_error(outcome.error());
   if (auto done = outputs->finish(command.track.outputs, *options); !done) {
     return report_error(done.error());

@@ -21,8 +21,7 @@ Result<Pose3> read_mount(const std::string& text) {
       static_cast<std::size_t>(read) != text.size()) {
     return fail(Error::Code::kMalformed, "mount '{}': write X_M,Y_M,YAW_RAD, as 3.7,0,0", text);
   }
-  if (!(std::abs(pose.x_m) < 1e4 && std::abs(pose.y_m) < 1e4 &&
-        std::abs(pose.heading_rad) < 1e4)) {
+  if (!(std::abs(pose.x_m) < 1e4 && std::abs(pose.y_m) < 1e4 && std::abs(pose.heading_rad) < 1e4)) {
     return fail(Error::Code::kOutOfRange, "mount '{}': is out of this world", text);
   }
   return Pose3::from_planar(pose);
@@ -77,8 +76,8 @@ Result<std::unique_ptr<pipeline::LiveReader>> open_live(const LiveRequest& reque
   }
   std::vector<pipeline::LiveSource> sources;
   for (std::size_t i = 0; i < request.sensors.size(); ++i) {
-    auto source = read_source(request.sensors[i],
-                              request.mounts.empty() ? nullptr : &request.mounts[i]);
+    auto source =
+        read_source(request.sensors[i], request.mounts.empty() ? nullptr : &request.mounts[i]);
     if (!source) return tl::unexpected(source.error());
     sources.push_back(std::move(*source));
   }
@@ -114,11 +113,10 @@ void print_sensors(const pipeline::LiveReader& reader) {
 std::string sensors_help() {
   std::string text = "Sensors:\n";
   for (const auto& device : drivers::devices()) {
-    const std::string url = device.link == drivers::Link::kTcp
-                                ? fmt::format("{}://HOST:{}", device.scheme, device.port)
-                            : device.link == drivers::Link::kUdp
-                                ? fmt::format("{}://:{}", device.scheme, device.port)
-                                : fmt::format("{}:///dev/ttyUSB0", device.scheme);
+    const std::string url =
+        device.link == drivers::Link::kTcp ? fmt::format("{}://HOST:{}", device.scheme, device.port)
+        : device.link == drivers::Link::kUdp ? fmt::format("{}://:{}", device.scheme, device.port)
+                                             : fmt::format("{}:///dev/ttyUSB0", device.scheme);
     text += fmt::format("  {:<26} {}\n", url, device.doc);
   }
   return text + "  ?name=NAME&mount=X_M,Y_M,YAW_RAD may follow.\n";

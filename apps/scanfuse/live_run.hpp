@@ -27,9 +27,9 @@ class LatencyHistogram {
 
 struct LiveOutcome {
   std::int64_t scans = 0;
-  std::int64_t tracks = 0;      ///< that were ever confirmed
-  LatencyHistogram latencies;   ///< from last byte to tracks handed over
-  double longest_gap_s = 0;     ///< between two results
+  std::int64_t tracks = 0;     ///< that were ever confirmed
+  LatencyHistogram latencies;  ///< from last byte to tracks handed over
+  double longest_gap_s = 0;    ///< between two results
   Diagnostics diagnostics;
   [[nodiscard]] double latency_s(double share) const { return latencies.quantile(share); }
 };

@@ -31,8 +31,8 @@ Result<std::unique_ptr<LiveReader>> LiveReader::create(std::vector<LiveSource> s
     if (source.mount) reader->mounts_.push_back({{}, "base_link", name, *source.mount, true});
     const std::size_t index = reader->sensors_.size();
     reader->sensors_.push_back(std::make_unique<drivers::LiveSensor>(
-        std::move(source.url), index, drivers::DriverOptions{name, source.metadata},
-        reader->queue_, options.connection));
+        std::move(source.url), index, drivers::DriverOptions{name, source.metadata}, reader->queue_,
+        options.connection));
   }
   return reader;
 }

@@ -23,9 +23,9 @@ struct LiveReaderOptions {
   drivers::LiveOptions connection;
 };
 
-/// Live sensors as a recording that goes on until `stop_when`. With several sensors a scan's stamp is
-/// that of its last beam, and at least that of the scan before: a tracker takes scans in order of
-/// time, and they come when they end. The times of the beams themselves stay what they are.
+/// Live sensors as a recording that goes on until `stop_when`. With several sensors a scan's stamp
+/// is that of its last beam, and at least that of the scan before: a tracker takes scans in order
+/// of time, and they come when they end. The times of the beams themselves stay what they are.
 /// Mounts come as static transforms base_link -> sensor. For one thread.
 class LiveReader final : public io::RecordingReader {
  public:

@@ -51,7 +51,8 @@ Cut cut_cola(ByteView bytes) {
 }
 
 ColaTelegram open_cola(ByteView telegram) {
-  if (starts(telegram) == 4) return {Cola::kB, telegram.subspan(kHead, telegram.size() - kHead - 1)};
+  if (starts(telegram) == 4)
+    return {Cola::kB, telegram.subspan(kHead, telegram.size() - kHead - 1)};
   return {Cola::kA, telegram.subspan(1, telegram.size() - 2)};
 }
 

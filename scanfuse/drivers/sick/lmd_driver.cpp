@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "scanfuse/drivers/clock_map.hpp"
+#include "scanfuse/drivers/driver_base.hpp"
 #include "scanfuse/geometry/angles.hpp"
 
 namespace scanfuse::drivers::sick {
@@ -37,12 +37,8 @@ void add_echo(const LmdScan& scan, int echo, std::vector<Return>& returns) {
   for (std::size_t i = 0; i < distances->values.size(); ++i) {
     if (distances->values[i] < kFirstDistance) continue;
     const double range_m = distances->value(i) * 1e-3;
-    if (!(range_m > 0 && range_m < 1e4)) continue;
-    const double azimuth = azimuth_rad(*distances, i), flat_m = range_m * std::cos(up);
-    Return r;
-    r.x_m = static_cast<float>(flat_m * std::cos(azimuth));
-    r.y_m = static_cast<float>(flat_m * std::sin(azimuth));
-    r.z_m = static_cast<float>(range_m * std::sin(up));
+    if (!is_range(range_m)) continue;
+    Return r = return_at(range_m, azimuth_rad(*distances, i), up);
     if (strengths != nullptr && i < strengths->values.size()) {
       r.intensity = static_cast<float>(strengths->value(i));
       if (!std::isfinite(r.intensity)) r.intensity = 0;
@@ -54,9 +50,9 @@ void add_echo(const LmdScan& scan, int echo, std::vector<Return>& returns) {
   }
 }
 
-class LmdDriver final : public Driver {
+class LmdDriver final : public DriverBase {
  public:
-  explicit LmdDriver(const DriverOptions& options) : sensor_(options.sensor) {}
+  using DriverBase::DriverBase;
 
   Bytes hello() override {
     if (!answered_) dialect_ = dialect_ == Cola::kB ? Cola::kA : Cola::kB;
@@ -67,7 +63,7 @@ class LmdDriver final : public Driver {
   void take(ByteView bytes, Time received, Output& out) override {
     stream_.feed(
         bytes, &cut_cola, [&](ByteView telegram) { open(open_cola(telegram), received, out); },
-        diagnostics_);
+        odd());
   }
 
   void finish(Output& out) override {
@@ -75,11 +71,10 @@ class LmdDriver final : public Driver {
   }
 
   void lost() override {
-    stream_.clear(diagnostics_);
+    stream_.clear(odd());
     layers_.clear();
     last_counter_.reset();
   }
-  const Diagnostics& diagnostics() const override { return diagnostics_; }
 
  private:
   struct LayerScan {
@@ -92,7 +87,7 @@ class LmdDriver final : public Driver {
     dialect_ = telegram.dialect;
     if (!is_lmd_scan(telegram.content)) return;
     auto scan = parse_lmd_scan(telegram);
-    if (!scan) return diagnostics_.damage("scan telegram not understood", scan.error().message);
+    if (!scan) return odd().damage("scan telegram not understood", scan.error().message);
     watch_counter(scan->telegram_counter);
     const Time stamp = stamp_of(*scan, received);
     add({stamp, std::move(*scan)}, out);
@@ -101,15 +96,12 @@ class LmdDriver final : public Driver {
   Time stamp_of(const LmdScan& scan, Time received) {
     const Duration sent = counter_.unwrap(std::chrono::microseconds(scan.transmit_us));
     const std::uint32_t took_us = scan.transmit_us - scan.start_us;
-    const Time stamp = clock_.stamp(sent - std::chrono::microseconds(took_us), sent, received);
-    if (clock_.jumps() > jumps_) diagnostics_.note("clock of the device jumped", sensor_);
-    jumps_ = clock_.jumps();
-    return stamp;
+    return stamp(sent - std::chrono::microseconds(took_us), sent, received);
   }
 
   void watch_counter(std::uint16_t counter) {
     const auto step = last_counter_ ? static_cast<std::uint16_t>(counter - *last_counter_) : 1;
-    if (step > 1 && step < 1000) diagnostics_.note("telegrams missing", sensor_, step - 1);
+    if (step > 1 && step < 1000) odd().note("telegrams missing", sensor(), step - 1);
     last_counter_ = counter;
   }
 
@@ -126,10 +118,7 @@ class LmdDriver final : public Driver {
   void emit(Output& out) {
     // Positive is down, 0 is the lowest layer.
     for (const auto& layer : layers_) known_.insert(-layer.scan.layer_angle);
-    Scan scan;
-    scan.stamp = layers_.front().stamp;
-    scan.frame = frame_++;
-    scan.sensor = scan.frame_id = sensor_;
+    Scan scan = new_scan(layers_.front().stamp);
     for (const auto& [stamp, layer] : layers_) {
       const auto place = std::distance(known_.begin(), known_.find(-layer.layer_angle));
       const auto later_s = static_cast<float>(to_seconds(stamp - scan.stamp));
@@ -145,18 +134,13 @@ class LmdDriver final : public Driver {
     out.scans.push_back(std::move(scan));
   }
 
-  std::string sensor_;
   Cola dialect_ = Cola::kA;
   bool answered_ = false;
   StreamCutter stream_;
   Unwrapper counter_{kCounterPeriod};
-  ClockMap clock_;
-  std::int64_t jumps_ = 0;
   std::optional<std::uint16_t> last_counter_;
   std::set<int> known_;
   std::vector<LayerScan> layers_;
-  std::int64_t frame_ = 0;
-  Diagnostics diagnostics_;
 };
 
 }  // namespace

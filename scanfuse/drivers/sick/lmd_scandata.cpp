@@ -311,8 +311,7 @@ Result<LmdScan> parse_lmd_scan(const ColaTelegram& telegram) {
 }
 
 Bytes encode_lmd_scan(const LmdScan& scan, Cola dialect) {
-  return close_cola(dialect,
-                    dialect == Cola::kA ? encode<TextOut>(scan) : encode<BinaryOut>(scan));
+  return close_cola(dialect, dialect == Cola::kA ? encode<TextOut>(scan) : encode<BinaryOut>(scan));
 }
 
 }  // namespace scanfuse::drivers::sick

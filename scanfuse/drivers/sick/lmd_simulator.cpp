@@ -16,9 +16,8 @@ std::uint16_t strength(float intensity) {
 }
 
 std::uint32_t microseconds(Time time) {
-  return static_cast<std::uint32_t>(std::chrono::floor<std::chrono::microseconds>(time)
-                                        .time_since_epoch()
-                                        .count());
+  return static_cast<std::uint32_t>(
+      std::chrono::floor<std::chrono::microseconds>(time).time_since_epoch().count());
 }
 
 /// One layer of a scan as a telegram of its own.

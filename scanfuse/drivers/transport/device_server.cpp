@@ -250,12 +250,11 @@ void DeviceServer::push(Client& client, ByteView bytes) const {
   if (client.unsent.size() + bytes.size() <= kMostUnsent) append(client.unsent, bytes);
   std::size_t sent = 0;
   while (sent < client.unsent.size()) {
-    const ssize_t took =
-        url_.device->link == Link::kTcp
-            ? ::send(client.socket.get(), client.unsent.data() + sent, client.unsent.size() - sent,
-                     MSG_NOSIGNAL)
-            : ::write(client.socket.get(), client.unsent.data() + sent,
-                      client.unsent.size() - sent);
+    const ssize_t took = url_.device->link == Link::kTcp
+                             ? ::send(client.socket.get(), client.unsent.data() + sent,
+                                      client.unsent.size() - sent, MSG_NOSIGNAL)
+                             : ::write(client.socket.get(), client.unsent.data() + sent,
+                                       client.unsent.size() - sent);
     if (took > 0) {
       sent += static_cast<std::size_t>(took);
       continue;

@@ -67,7 +67,7 @@ class DeviceServer {
   void damage(Bytes& bytes);
 
   SensorUrl url_;
-  Descriptor socket_;     ///< that listens (TCP), or of a pseudo terminal's other side, held open
+  Descriptor socket_;  ///< that listens (TCP), or of a pseudo terminal's other side, held open
   std::string path_;
   int port_ = 0;
   WakeUp wake_;

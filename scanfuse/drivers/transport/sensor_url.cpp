@@ -26,8 +26,8 @@ Result<void> read_query(std::string_view text, std::string_view query, SensorUrl
     if (equals == pair.npos) return wrong(text, "what follows the ? is key=value&key=value");
     const std::string key(pair.substr(0, equals));
     if (std::find(known.begin(), known.end(), key) == known.end()) {
-      return wrong(text, fmt::format("unknown key '{}'; did you mean '{}'?", key,
-                                     nearest_name(key, known)));
+      return wrong(
+          text, fmt::format("unknown key '{}'; did you mean '{}'?", key, nearest_name(key, known)));
     }
     url.query[key] = pair.substr(equals + 1);
   }

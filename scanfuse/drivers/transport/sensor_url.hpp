@@ -16,7 +16,7 @@ struct SensorUrl {
   const Device* device = nullptr;
   std::string host;  ///< of the sensor (TCP), or the address of ours to listen at (UDP)
   int port = 0;
-  std::string path;                           ///< of a serial device
+  std::string path;                          ///< of a serial device
   std::map<std::string, std::string> query;  ///< name, mount, baud, metadata
 
   /// The `name` of the query, else the scheme.

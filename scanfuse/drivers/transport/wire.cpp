@@ -35,15 +35,13 @@ Result<Addresses> resolve(const SensorUrl& url, bool passive) {
   const int error =
       ::getaddrinfo(url.host.c_str(), std::to_string(url.port).c_str(), &hints, &found);
   if (error != 0) {
-    return fail(Error::Code::kNotFound, "{}: no such host ({})", place(url),
-                ::gai_strerror(error));
+    return fail(Error::Code::kNotFound, "{}: no such host ({})", place(url), ::gai_strerror(error));
   }
   return Addresses(found, &::freeaddrinfo);
 }
 
 Descriptor socket_for(const addrinfo& address) {
-  return Descriptor(::socket(address.ai_family,
-                             address.ai_socktype | SOCK_NONBLOCK | SOCK_CLOEXEC,
+  return Descriptor(::socket(address.ai_family, address.ai_socktype | SOCK_NONBLOCK | SOCK_CLOEXEC,
                              address.ai_protocol));
 }
 
@@ -94,10 +92,10 @@ Result<Descriptor> bind_udp(const SensorUrl& url) {
 }
 
 speed_t speed_of(const std::string& baud) {
-  for (const auto& [name, speed] : {std::pair{"9600", B9600}, std::pair{"19200", B19200},
-                                    std::pair{"57600", B57600}, std::pair{"115200", B115200},
-                                    std::pair{"230400", B230400}, std::pair{"460800", B460800},
-                                    std::pair{"1000000", B1000000}}) {
+  for (const auto& [name, speed] :
+       {std::pair{"9600", B9600}, std::pair{"19200", B19200}, std::pair{"57600", B57600},
+        std::pair{"115200", B115200}, std::pair{"230400", B230400}, std::pair{"460800", B460800},
+        std::pair{"1000000", B1000000}}) {
     if (baud == name) return speed;
   }
   return B0;

@@ -83,7 +83,8 @@ Result<void> PacketReader::read_head() {
   const auto head = is_classic(magic_word) ? read(20) : std::span<const std::byte>{};
   if (head.empty()) return fail(Error::Code::kMalformed, "{}: is no capture of packets", name_);
   nanoseconds_ = magic_word == kNanoseconds;
-  interfaces_.push_back({u32(head, 16) & 0xFFFF, nanoseconds_ ? 1'000'000'000ULL : 1'000'000ULL, 0});
+  interfaces_.push_back(
+      {u32(head, 16) & 0xFFFF, nanoseconds_ ? 1'000'000'000ULL : 1'000'000ULL, 0});
   return {};
 }
 
@@ -189,14 +190,11 @@ void PacketReader::add_interface(std::span<const std::byte> body) {
   interfaces_.push_back(interface);
 }
 
-std::optional<Packet> PacketReader::packet_of(std::uint32_t type,
-                                              std::span<const std::byte> body) {
+std::optional<Packet> PacketReader::packet_of(std::uint32_t type, std::span<const std::byte> body) {
   const bool enhanced = type == kEnhancedPacket || type == kObsoletePacket;
   const std::size_t head = enhanced ? 20 : 4;
   if ((!enhanced && type != kSimplePacket) || body.size() < head) return std::nullopt;
-  const std::size_t number = type == kEnhancedPacket ? u32(body, 0)
-                             : enhanced              ? u16(body, 0)
-                                                     : 0;
+  const std::size_t number = type == kEnhancedPacket ? u32(body, 0) : enhanced ? u16(body, 0) : 0;
   const std::uint32_t size = u32(body, enhanced ? 12 : 0);
   if (number >= interfaces_.size() || (enhanced && size > body.size() - head)) {
     diagnostics_.damage("packet without an interface, or longer than its block",

@@ -115,18 +115,16 @@ void PayloadReader::take_ipv4(Time time, Bytes bytes) {
 void PayloadReader::take_ipv6(Time time, Bytes bytes) {
   if (bytes.size() < 40) return;
   int protocol = u8(bytes, 6);
-  const std::size_t size =
-      std::min<std::size_t>(big<std::uint16_t>(bytes, 4), bytes.size() - 40);
+  const std::size_t size = std::min<std::size_t>(big<std::uint16_t>(bytes, 4), bytes.size() - 40);
   const Flow flow{Protocol::kTcp, {ipv6_text(bytes, 8)}, {ipv6_text(bytes, 24)}};
   const auto body = bytes.subspan(40, size);
   if (protocol != kIpv6Fragment) return take_transport(time, protocol, flow, body);
   if (body.size() < 8) return;
   protocol = u8(body, 0);
   const auto fragment = big<std::uint16_t>(body, 2);
-  const std::string key = flow.from.address + ">" + flow.to.address + "#" +
-                          std::to_string(big<std::uint32_t>(body, 4));
-  const auto whole =
-      put_together(key, fragment & 0xFFF8U, (fragment & 1) != 0, body.subspan(8));
+  const std::string key =
+      flow.from.address + ">" + flow.to.address + "#" + std::to_string(big<std::uint32_t>(body, 4));
+  const auto whole = put_together(key, fragment & 0xFFF8U, (fragment & 1) != 0, body.subspan(8));
   if (!whole.empty()) take_transport(time, protocol, flow, whole);
 }
 
