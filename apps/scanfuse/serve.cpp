@@ -56,6 +56,7 @@ Result<Duration> play(const ServeRequest& request, const ServedDevice& served,
     std::this_thread::sleep_until(clock.steady + at - kAhead);
     frame->scan.stamp = clock.utc + at;
     frame->scan.frame = sent++;
+    frame->scan.beams = simulation->sensor().pattern;
     served.server->publish(frame->scan, clock.steady + at);
   }
   return end;

@@ -53,8 +53,11 @@ class OusterDriver final : public DriverBase {
   explicit OusterDriver(const DriverOptions& options) : DriverBase(options) {
     if (options.metadata.empty()) return;
     auto beams = parse_beams(options.metadata);
-    if (!beams) return odd().damage("metadata not understood", beams.error().message);
-    use(std::move(*beams));
+    if (beams) {
+      use(std::move(*beams));
+    } else {
+      odd().damage("metadata not understood", beams.error().message);
+    }
   }
 
   void take(ByteView bytes, Time received, Output& out) override {

@@ -24,7 +24,7 @@ struct Packet {
   std::vector<std::byte> bytes;
 };
 
-/// Whether a file that starts so is a capture: pcap [PcapDraft] or pcapng [PcapngDraft].
+/// Whether a file that starts so is a capture: pcap [Pcap2023] or pcapng [Pcapng2023].
 [[nodiscard]] bool is_capture(std::string_view first_bytes);
 
 /// Reads the packets of a capture front to back: pcap (both byte orders, micro- and nanoseconds)
