@@ -225,7 +225,7 @@ std::vector<Case> cases() {
   velodyne.clockwise = true;
   velodyne.position_m = 0.03;  // the channels of a firing are not fired at once
   all.push_back(velodyne);
-  Case ouster = device("ouster", pattern_deg(-180, 360.0 / 1024, 1024, 16, 0.5, 100));
+  Case ouster = device("ouster", pattern_deg(-180 + 0.9 * 360 / 1024, 360.0 / 1024, 1024, 16, 0.5, 100));
   ouster.lowest_deg = -15;
   ouster.layer_step_deg = 2;
   ouster.clockwise = true;

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "drivers/sample_scans.hpp"
+#include "scanfuse/drivers/stream.hpp"
 #include "scanfuse/drivers/transport/device_server.hpp"
 #include "scanfuse/drivers/transport/live_sensor.hpp"
 

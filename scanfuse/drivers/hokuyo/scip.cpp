@@ -109,7 +109,8 @@ Bytes encode_answer(const ScipAnswer& answer) {
   for (const std::string& line : answer.lines) {
     text += line + (parameters ? ";" : "") + checksum(line) + "\n";
   }
-  const auto bytes = view_of(text + "\n");
+  text += "\n";
+  const ByteView bytes = view_of(text);
   return {bytes.begin(), bytes.end()};
 }
 

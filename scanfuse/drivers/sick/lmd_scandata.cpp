@@ -296,18 +296,18 @@ const LmdChannel* LmdScan::find(std::string_view content) const {
 }
 
 bool is_lmd_scan(ByteView content) {
-  // The device's own viewer asks for "LMDscandatamon", which says the same.
+  // Behind the name: the maker's viewer also asks for "LMDscandatamon", which says all again.
   const std::string_view text = text_of(content);
-  return text.starts_with(kSent) || text.starts_with(kAsked);
+  const bool is_named = text.starts_with(kSent) || text.starts_with(kAsked);
+  return is_named && text.size() > kSent.size() && text[kSent.size()] == ' ';
 }
 
 Result<LmdScan> parse_lmd_scan(const ColaTelegram& telegram) {
-  const std::size_t name = until(telegram.content, std::byte{' '}, 4);
-  if (name >= telegram.content.size()) {
-    return fail(Error::Code::kMalformed, "a scan telegram without content");
+  if (!is_lmd_scan(telegram.content)) {
+    return fail(Error::Code::kMalformed, "a telegram that is no scan");
   }
-  if (telegram.dialect == Cola::kA) return parse<TextFields>(telegram.content.subspan(name));
-  return parse<BinaryFields>(telegram.content.subspan(name + 1));
+  const ByteView fields = telegram.content.subspan(kSent.size() + 1);
+  return telegram.dialect == Cola::kA ? parse<TextFields>(fields) : parse<BinaryFields>(fields);
 }
 
 Bytes encode_lmd_scan(const LmdScan& scan, Cola dialect) {

@@ -32,7 +32,9 @@ class ScanSegmentDriver final : public DriverBase {
     segments_.clear();
   }
   void finish(Output& out) override {
-    if (!segments_.empty()) emit(out);
+    if (segments_.empty()) return;
+    if (auto scan = merge()) out.scans.push_back(std::move(*scan));
+    segments_.clear();
   }
 
  private:
@@ -40,16 +42,16 @@ class ScanSegmentDriver final : public DriverBase {
     if (!is_segment(telegram)) return;
     auto segment = parse_segment(telegram);
     if (!segment) return odd().damage("segment not understood", segment.error().message);
-    received_ = received;
-    add(std::move(*segment), out);
+    add(std::move(*segment), received, out);
   }
 
   /// A revolution ends with the last segment there was in the one before, or when the next begins.
-  void add(Segment segment, Output& out) {
+  void add(Segment segment, Time received, Output& out) {
     const bool is_next = !segments_.empty() && segments_.begin()->second.frame != segment.frame;
     if (is_next || segments_.contains(segment.number) || segments_.size() >= kMostSegments) {
       emit(out);
     }
+    received_ = received;
     const auto number = segment.number;
     segments_.insert_or_assign(number, std::move(segment));
     if (known_last_ && number == *known_last_) emit(out);

@@ -62,8 +62,9 @@ class Vlp16Driver final : public DriverBase {
     const Vlp16Block& data = packet.blocks[static_cast<std::size_t>(block)];
     const bool is_second = is_dual(packet) && block % 2 == 1;
     if (!is_second) {
-      if (scan_ && data.azimuth + kTurn / 2 < last_azimuth_) emit(out);
-      last_azimuth_ = data.azimuth;
+      const int from_behind = (data.azimuth + kTurn / 2) % kTurn;
+      if (scan_ && from_behind + kTurn / 2 < last_from_behind_) emit(out);
+      last_from_behind_ = from_behind;
     }
     const double began_s = firing_s(packet, block, 0);
     if (!scan_) scan_ = new_scan(at + duration_from_seconds(began_s));
@@ -102,7 +103,7 @@ class Vlp16Driver final : public DriverBase {
 
   Unwrapper counter_{kHour};
   std::optional<Scan> scan_;
-  int last_azimuth_ = 0;
+  int last_from_behind_ = 0;
 };
 
 class Vlp16Simulator final : public DeviceSimulator {

@@ -42,8 +42,8 @@ inline constexpr std::size_t kVlp16PacketBytes = 1206;
 /// 0 is the lowest.
 [[nodiscard]] inline int layer_of(int channel) { return (elevation_deg(channel) + 15) / 2; }
 
-/// Velodyne VLP-16 over UDP, port 2368. A scan is a turn, from azimuth 0 on; straight ahead is
-/// azimuth 0, as most mount it. That channels sit a few millimetres above each other is left out.
+/// Velodyne VLP-16 over UDP, port 2368. Straight ahead is azimuth 0, as most mount it; a scan is a
+/// turn from behind to behind. That channels sit a few millimetres above each other is left out.
 [[nodiscard]] std::unique_ptr<Driver> make_vlp16_driver(const DriverOptions& options);
 [[nodiscard]] std::unique_ptr<DeviceSimulator> make_vlp16_simulator();
 
