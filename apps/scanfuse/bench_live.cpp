@@ -35,8 +35,8 @@ struct Faults {
 /// A sensor's scans, made before the clock runs: simulating must not take the tracker's time.
 class PlayedSensor {
  public:
-  [[nodiscard]] static Result<std::unique_ptr<PlayedSensor>> create(
-      const std::string& address, simulate::SensorPreset preset) {
+  [[nodiscard]] static Result<std::unique_ptr<PlayedSensor>> create(const std::string& address,
+                                                                    simulate::SensorPreset preset) {
     simulate::SimulateOptions options;
     options.sensor = preset;
     options.frames = kPlayedScans;
@@ -156,10 +156,7 @@ class MemoryWatch {
 };
 
 BenchRow row(std::string name, double value, std::string unit, Target target = {}) {
-  return {.name = std::move(name),
-          .value = value,
-          .unit = std::move(unit),
-          .target = target};
+  return {.name = std::move(name), .value = value, .unit = std::move(unit), .target = target};
 }
 
 std::vector<BenchRow> rows_of(const LiveOutcome& outcome, const MemoryWatch& memory,
@@ -174,26 +171,26 @@ std::vector<BenchRow> rows_of(const LiveOutcome& outcome, const MemoryWatch& mem
   }
   const auto counted = [&](const char* what) { return static_cast<double>(odd.count(what)); };
   std::vector<BenchRow> rows;
-  rows.push_back(row("from last byte to tracks, median", 1e3 * outcome.latency_s(0.5), "ms",
-                     at_most(3)));
-  rows.push_back(row("from last byte to tracks, 99 %", 1e3 * outcome.latency_s(0.99), "ms",
-                     at_most(15)));
-  rows.push_back(row("from last byte to tracks, longest", 1e3 * outcome.latency_s(1), "ms",
-                     at_most(100)));
-  rows.push_back(row("longest time without tracks", 1e3 * outcome.longest_gap_s, "ms",
-                     at_most(100)));
-  rows.push_back(row("growth of memory after the first quarter", memory.growth_percent(), "%",
-                     at_most(2)));
+  rows.push_back(
+      row("from last byte to tracks, median", 1e3 * outcome.latency_s(0.5), "ms", at_most(3)));
+  rows.push_back(
+      row("from last byte to tracks, 99 %", 1e3 * outcome.latency_s(0.99), "ms", at_most(15)));
+  rows.push_back(
+      row("from last byte to tracks, longest", 1e3 * outcome.latency_s(1), "ms", at_most(100)));
+  rows.push_back(
+      row("longest time without tracks", 1e3 * outcome.longest_gap_s, "ms", at_most(100)));
+  rows.push_back(
+      row("growth of memory after the first quarter", memory.growth_percent(), "%", at_most(2)));
   rows.push_back(row("memory at the end", memory.last_mb(), "MB"));
-  rows.push_back(row("scans tracked a second", static_cast<double>(outcome.scans) / seconds, "1/s"));
+  rows.push_back(
+      row("scans tracked a second", static_cast<double>(outcome.scans) / seconds, "1/s"));
   rows.push_back(row("scans left out for newer ones", static_cast<double>(dropped), ""));
   rows.push_back(row("connections ended by faults", faults.hung_up, ""));
-  rows.push_back(row("connections made anew", static_cast<double>(anew), "",
-                     at_least(faults.hung_up)));
+  rows.push_back(
+      row("connections made anew", static_cast<double>(anew), "", at_least(faults.hung_up)));
   rows.push_back(row("garbage sent, times", faults.garbage, ""));
   rows.push_back(row("bytes of no telegram, datagrams of another kind",
-                     counted(drivers::StreamCutter::kGarbage) +
-                         counted("datagram of another kind"),
+                     counted(drivers::StreamCutter::kGarbage) + counted("datagram of another kind"),
                      "", at_least(faults.garbage)));
   rows.push_back(row("telegrams cut or left out", faults.cut + faults.left_out, ""));
   rows.push_back(row("telegrams missed", counted("telegrams missing"), "",
@@ -206,10 +203,9 @@ std::vector<BenchRow> rows_of(const LiveOutcome& outcome, const MemoryWatch& mem
 
 Result<Sensors> open_sensors() {
   Sensors sensors;
-  for (const auto& [address, preset] :
-       {std::pair{"sick:0", simulate::SensorPreset::kSickLms111},
-        std::pair{"ibeo:0", simulate::SensorPreset::kLux},
-        std::pair{"vlp16:23680", simulate::SensorPreset::kVlp16}}) {
+  for (const auto& [address, preset] : {std::pair{"sick:0", simulate::SensorPreset::kSickLms111},
+                                        std::pair{"ibeo:0", simulate::SensorPreset::kLux},
+                                        std::pair{"vlp16:23680", simulate::SensorPreset::kVlp16}}) {
     auto sensor = PlayedSensor::create(address, preset);
     if (!sensor) return tl::unexpected(sensor.error());
     sensors.push_back(std::move(*sensor));
@@ -247,8 +243,7 @@ Result<std::vector<BenchRow>> bench_live(double seconds, const std::string& pres
   for (const auto& sensor : *sensors) {
     players.emplace_back([&](const std::stop_token& stop) { sensor->play(stop); });
   }
-  players.emplace_back(
-      [&](const std::stop_token& stop) { inject(*sensors, stop, end, faults); });
+  players.emplace_back([&](const std::stop_token& stop) { inject(*sensors, stop, end, faults); });
   const auto outcome = run_live(feed, live, *options, seconds, [&](auto&, auto&) {
     memory.look(to_seconds(SteadyClock::now() - start));
     return Result<void>{};

@@ -107,9 +107,8 @@ TEST(Record, LosesAtMostTheLastSecondWhenKilled) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   std::this_thread::sleep_for(std::chrono::milliseconds(1500));
-  const double killed_s = std::chrono::duration<double>(
-                              std::chrono::system_clock::now().time_since_epoch())
-                              .count();
+  const double killed_s =
+      std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
   record.end(SIGKILL);
   EXPECT_FALSE(std::filesystem::exists(out));
   const auto info = run_tool(folder, "info --json --check " + part.string());

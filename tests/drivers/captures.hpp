@@ -48,10 +48,10 @@ inline std::vector<Captured> read_tcp_capture(const std::filesystem::path& path)
   for (const auto& packet : read_json(path)) {
     const auto& tcp = packet["_source"]["layers"]["tcp"];
     if (!tcp.contains("tcp.payload")) continue;
-    const double at_s = std::atof(
-        tcp["Timestamps"]["tcp.time_relative"].get<std::string>().c_str());
-    packets.push_back({time_from_seconds(1.6e9 + at_s),
-                       bytes_of_hex(tcp["tcp.payload"].get<std::string>())});
+    const double at_s =
+        std::atof(tcp["Timestamps"]["tcp.time_relative"].get<std::string>().c_str());
+    packets.push_back(
+        {time_from_seconds(1.6e9 + at_s), bytes_of_hex(tcp["tcp.payload"].get<std::string>())});
   }
   return packets;
 }
@@ -60,8 +60,8 @@ inline std::vector<Captured> read_tcp_capture(const std::filesystem::path& path)
 inline std::vector<Captured> read_udp_capture(const std::filesystem::path& path) {
   std::vector<Captured> packets;
   for (const auto& packet : read_json(path)) {
-    packets.push_back({time_from_seconds(packet[0].get<double>()),
-                       bytes_of_hex(packet[1].get<std::string>())});
+    packets.push_back(
+        {time_from_seconds(packet[0].get<double>()), bytes_of_hex(packet[1].get<std::string>())});
   }
   return packets;
 }

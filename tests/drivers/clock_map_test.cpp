@@ -1,9 +1,10 @@
+#include "scanfuse/drivers/clock_map.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "scanfuse/core/random.hpp"
-#include "scanfuse/drivers/clock_map.hpp"
 
 namespace scanfuse::drivers {
 namespace {

@@ -132,9 +132,8 @@ TEST_P(Devices, HearWhatTheirSimulatorsSay) {
   ASSERT_LE(heard.size(), 5U);
   const Case& c = GetParam();
   for (const Scan& scan : heard) {
-    const auto nearest = std::ranges::min_element(said, {}, [&](const Scan& s) {
-      return std::abs(to_seconds(s.stamp - scan.stamp));
-    });
+    const auto nearest = std::ranges::min_element(
+        said, {}, [&](const Scan& s) { return std::abs(to_seconds(s.stamp - scan.stamp)); });
     if (c.has_clock) {
       // Turns whose first beams see nothing begin a little later.
       EXPECT_NEAR(to_seconds(scan.stamp - nearest->stamp), 0, std::max(c.stamp_s, c.offset_s));
@@ -225,7 +224,8 @@ std::vector<Case> cases() {
   velodyne.clockwise = true;
   velodyne.position_m = 0.03;  // the channels of a firing are not fired at once
   all.push_back(velodyne);
-  Case ouster = device("ouster", pattern_deg(-180 + 0.9 * 360 / 1024, 360.0 / 1024, 1024, 16, 0.5, 100));
+  Case ouster =
+      device("ouster", pattern_deg(-180 + 0.9 * 360 / 1024, 360.0 / 1024, 1024, 16, 0.5, 100));
   ouster.lowest_deg = -15;
   ouster.layer_step_deg = 2;
   ouster.clockwise = true;

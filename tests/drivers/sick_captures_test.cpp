@@ -105,8 +105,7 @@ TEST(SickMrs1000, EqualsTheMakersDriverInEveryBeam) {
   const auto file = folder / "mrs1xxx_test01_tcp_data.json.gz";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "no shared data: skipped";
   const auto telegrams = telegrams_of(read_tcp_capture(file));
-  const auto reference =
-      drivers_testing::read_json(folder / "mrs1xxx_test01_ref_messages.json.gz");
+  const auto reference = drivers_testing::read_json(folder / "mrs1xxx_test01_ref_messages.json.gz");
   int compared = 0, equal = 0;
   for (const auto& message : reference["RefLaserscanMsg"]["/scan"]) {
     const auto raw = bytes_of_hex(message["ranges"].get<std::string>());
@@ -182,8 +181,7 @@ TEST_P(ScanSegmentCaptures, AreDecodedWithoutLoss) {
 INSTANTIATE_TEST_SUITE_P(
     Sick, ScanSegmentCaptures,
     ::testing::Values(SegmentCapture{"multiscan_compact_test01_udp_scandata.json.gz", 16, 360, 20},
-                      SegmentCapture{"picoscan_compact_test01_udp_scandata.json.gz", 1, 1200,
-                                     40}));
+                      SegmentCapture{"picoscan_compact_test01_udp_scandata.json.gz", 1, 1200, 40}));
 
 Bytes content_of(const std::filesystem::path& path) {
   auto source = io::open_bytes(path);

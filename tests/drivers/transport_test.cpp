@@ -251,7 +251,8 @@ TEST(SensorUrl, SaysWhatIsWrong) {
        {std::pair{"192.168.0.1", "no scheme"}, std::pair{"sonar://x", "no device 'sonar'"},
         std::pair{"sick://x:99999", "no port"}, std::pair{"sick://x:1x", "no port"},
         std::pair{"sick://x/y", "no path"}, std::pair{"rplidar://ttyUSB0", "needs a path"},
-        std::pair{"sick://x?nme=y", "did you mean 'name'"}, std::pair{"sick://x?name", "key=value"}}) {
+        std::pair{"sick://x?nme=y", "did you mean 'name'"},
+        std::pair{"sick://x?name", "key=value"}}) {
     const auto url = parse_sensor_url(text);
     ASSERT_FALSE(url) << text;
     EXPECT_THAT(url.error().message, ::testing::HasSubstr(why));

@@ -112,9 +112,8 @@ Said listen(const std::string& file) {
 
 TEST(Pcap, GivesDatagramsInEveryFormat) {
   const std::vector<std::string> packets{ipv4(17, udp("one")), ipv4(17, udp("three"))};
-  for (const auto& file :
-       {classic(packets), classic(packets, true), next_generation(packets),
-        next_generation(packets, true)}) {
+  for (const auto& file : {classic(packets), classic(packets, true), next_generation(packets),
+                           next_generation(packets, true)}) {
     const Said said = listen(file);
     EXPECT_THAT(said.texts, ElementsAre("one", "three"));
     ASSERT_EQ(said.times.size(), 2U);
@@ -177,7 +176,8 @@ TEST(Pcap, EndsOnAnyDamage) {
   RandomStream random(4);
   for (int round = 0; round < 2000; ++round) {
     std::string file = good;
-    for (int i = 0; i < 3; ++i) file[random.below(file.size())] = static_cast<char>(random.below(256));
+    for (int i = 0; i < 3; ++i)
+      file[random.below(file.size())] = static_cast<char>(random.below(256));
     auto packets = PacketReader::open("test.pcap", open_memory("test.pcap", file));
     if (!packets) continue;
     PayloadReader payloads(std::move(*packets));

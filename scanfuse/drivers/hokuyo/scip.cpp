@@ -28,10 +28,11 @@ std::vector<std::string_view> split_lines(std::string_view text) {
   return lines;
 }
 
-/// Parameters set their checksum behind a semicolon, which does not count.
-std::string_view without_checksum(std::string_view line) {
+/// Parameters set their checksum behind a semicolon, which does not count; in data it is a digit.
+std::string_view without_checksum(std::string_view command, std::string_view line) {
+  const bool is_told = command == "PP" || command == "VV" || command == "II";
   line.remove_suffix(1);
-  if (line.ends_with(';')) line.remove_suffix(1);
+  if (is_told && line.ends_with(';')) line.remove_suffix(1);
   return line;
 }
 
@@ -92,7 +93,7 @@ Result<ScipAnswer> parse_answer(ByteView bytes) {
   ScipAnswer answer{std::string(lines[0]), std::string(lines[1].substr(0, 2)), {}};
   for (std::size_t i = 1; i < lines.size(); ++i) {
     if (lines[i].empty()) continue;
-    const std::string_view line = without_checksum(lines[i]);
+    const std::string_view line = without_checksum(lines[0], lines[i]);
     // Of the status only the older protocol leaves out the checksum.
     if (checksum(line) != lines[i].back() && !(i == 1 && lines[i].size() == 2)) {
       return fail(Error::Code::kMalformed, "line {} of an answer to {}: wrong checksum", i + 1,
