@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <string>
@@ -8,16 +9,18 @@
 
 namespace scanfuse::fuzzing {
 
-/// Gives the bytes to a device's driver in pieces of a length that the first byte tells, and its
-/// simulator the same as a request. Every coordinate and time must be finite.
-inline int drive(const char* scheme, const std::uint8_t* data, std::size_t size) {
+/// Gives the bytes to a device's driver in datagrams of so many bytes, or in pieces of a length
+/// that the first byte tells, and its simulator the same as a request. Every coordinate and time
+/// must be finite.
+inline int drive(const char* scheme, const std::uint8_t* data, std::size_t size,
+                 std::size_t datagram = 0) {
   if (size < 2 || size > 65536) return 0;
   const auto device = drivers::find_device(scheme);
   if (!device) std::abort();
   const auto driver = (*device)->make_driver({"lidar", ""});
   (void)driver->hello();
   const drivers::ByteView all(reinterpret_cast<const std::byte*>(data + 1), size - 1);
-  const std::size_t piece = (*device)->link == drivers::Link::kUdp ? 1536 : 1 + 8U * data[0];
+  const std::size_t piece = datagram > 0 ? datagram : 1 + 8U * data[0];
   drivers::Output out;
   Time received = time_from_nanos(1'700'000'000'000'000'000);
   for (std::size_t at = 0; at < all.size(); at += piece) {
