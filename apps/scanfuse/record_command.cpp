@@ -9,7 +9,7 @@ namespace {
 
 using SteadyClock = std::chrono::steady_clock;
 
-constexpr auto kCheckpoint = std::chrono::milliseconds(800);
+constexpr auto kCheckpoint = std::chrono::milliseconds(500);
 constexpr drivers::Milliseconds kPatience{100};
 
 struct RecordRequest {

@@ -49,10 +49,13 @@ Result<Duration> play(const ServeRequest& request, const ServedDevice& served,
   const auto turn = duration_from_seconds(1 / simulation->sensor().rate_hz);
   Duration end = begin;
   while (!interrupted) {
-    auto frame = simulation->next();
+    // A machine that simulates more slowly than time goes leaves scans out, and stays in time.
+    const bool is_late = SteadyClock::now() > clock.steady + end;
+    auto frame = is_late ? simulation->next_truth() : simulation->next();
     if (!frame) break;
     const Duration at = begin + frame->scan.stamp.time_since_epoch();
     end = at + turn;
+    if (is_late) continue;
     std::this_thread::sleep_until(clock.steady + at - kAhead);
     frame->scan.stamp = clock.utc + at;
     frame->scan.frame = sent++;

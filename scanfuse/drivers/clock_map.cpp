@@ -31,7 +31,7 @@ void ClockMap::start(Duration sent, Time received) {
   first_received_ = received;
   slope_ = lowest_s_ = 0;
   blocks_.clear();
-  block_ = -1;
+  block_.reset();
   doubts_ = 0;
 }
 

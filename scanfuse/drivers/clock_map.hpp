@@ -57,7 +57,7 @@ class ClockMap {
   double lowest_s_ = 0;
   /// (seconds, delay) of the least delayed message of each second, relative to the first message.
   std::deque<std::pair<double, double>> blocks_;
-  std::int64_t block_ = -1;
+  std::optional<std::int64_t> block_;  ///< the second that the last of them is of
   double doubt_error_s_ = 0;
   Duration doubt_since_{};
   int doubts_ = 0;

@@ -6,7 +6,7 @@ namespace {
 constexpr std::byte kStx{2};
 constexpr std::byte kEtx{3};
 constexpr std::size_t kHead = 8;  // four STX and the length
-constexpr std::size_t kLongest = std::size_t{1} << 18;
+constexpr std::size_t kLongest = std::size_t{1} << 16;
 
 std::byte checksum(ByteView content) {
   std::byte sum{0};

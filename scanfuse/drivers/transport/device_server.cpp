@@ -140,7 +140,8 @@ void DeviceServer::send_garbage(ByteView bytes) {
 void DeviceServer::hang_up() {
   {
     const std::lock_guard lock(mutex_);
-    if (url_.device->link == Link::kTcp) clients_.clear();
+    // The thread that polls their sockets is the one to close them.
+    for (Client& client : clients_) client.gone = url_.device->link == Link::kTcp;
   }
   wake_.call();
 }
@@ -242,6 +243,7 @@ void DeviceServer::send_due(Client& client, SteadyTime now) {
 }
 
 void DeviceServer::push(Client& client, ByteView bytes) const {
+  if (client.gone) return;
   if (url_.device->link == Link::kUdp) {
     // Nobody listening there, or no room: such is UDP.
     if (!bytes.empty()) (void)::send(client.socket.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL);

@@ -20,7 +20,7 @@ constexpr std::uint32_t kObsoletePacket = 2;
 constexpr std::uint32_t kSimplePacket = 3;
 constexpr std::uint32_t kEnhancedPacket = 6;
 constexpr std::uint32_t kLongestBlock = 1 << 24;
-constexpr std::uint64_t kSecondsLimit = 9'000'000'000;
+constexpr std::uint64_t kSecondsLimit = 4'000'000'000;  // 2096: sums of times stay in range
 
 std::uint32_t first_word(std::string_view bytes) {
   std::uint32_t word = 0;
