@@ -12,6 +12,7 @@
 #include "command.hpp"
 #include "live_run.hpp"
 #include "scanfuse/core/random.hpp"
+#include "scanfuse/drivers/stream.hpp"
 #include "scanfuse/drivers/transport/device_server.hpp"
 #include "scanfuse/pipeline/config.hpp"
 #include "scanfuse/simulate/simulate.hpp"
@@ -64,13 +65,14 @@ class PlayedSensor {
       // Forth and back, so that nothing leaps.
       const std::size_t cycle = 2 * scans_.size() - 2, at = i % cycle;
       Scan& scan = scans_[at < scans_.size() ? at : cycle - at];
-      scan.stamp = std::chrono::system_clock::now() + (begins - SteadyClock::now()) + offset_;
+      scan.stamp = std::chrono::system_clock::now() + (begins - SteadyClock::now()) +
+                   milliseconds(offset_ms_.load());
       scan.frame = static_cast<std::int64_t>(i);
       server_->publish(scan, begins);
     }
   }
   /// The device's clock leaps.
-  void jump(milliseconds by) { offset_ = offset_.load() + by; }
+  void jump(int by_ms) { offset_ms_ += by_ms; }
   [[nodiscard]] DeviceServer& server() const { return *server_; }
 
  private:
@@ -78,7 +80,7 @@ class PlayedSensor {
   std::unique_ptr<DeviceServer> server_;
   std::vector<Scan> scans_;
   Duration turn_{};
-  std::atomic<milliseconds> offset_{milliseconds(0)};
+  std::atomic<int> offset_ms_ = 0;
 };
 
 using Sensors = std::vector<std::unique_ptr<PlayedSensor>>;
@@ -115,7 +117,7 @@ void inject(const Sensors& sensors, const std::stop_token& stop, SteadyClock::ti
         ++faults.left_out;
         break;
       default:
-        sensor.jump(milliseconds(i % 2 == 0 ? 1500 : -1500));
+        sensor.jump(i % 2 == 0 ? 1500 : -1500);
         ++faults.jumped;
     }
   }
