@@ -133,6 +133,17 @@ TEST(Pcap, PutsStreamsInOrder) {
   EXPECT_EQ(all, "abcdefgh");
 }
 
+TEST(Pcap, SaysWhereAConnectionStarts) {
+  const auto file = classic(
+      {tcp(10, "", true), tcp(11, "ab"), tcp(13, "cd"), tcp(900, "", true), tcp(901, "ef")});
+  auto packets = PacketReader::open("test.pcap", open_memory("test.pcap", file));
+  ASSERT_TRUE(packets);
+  PayloadReader payloads(std::move(*packets));
+  std::vector<bool> starts;
+  while (const auto payload = payloads.next()) starts.push_back(payload->start);
+  EXPECT_THAT(starts, ElementsAre(true, false, true));
+}
+
 TEST(Pcap, GoesOnBehindAGap) {
   std::vector<std::string> packets{tcp(1, "ab")};
   for (std::uint32_t i = 0; i < 70; ++i) packets.push_back(tcp(100 + i, "x"));
@@ -164,7 +175,8 @@ TEST(Pcap, ThatWasCutOffGivesWhatWasBefore) {
 }
 
 TEST(Pcap, IsRefusedWhereItIsNone) {
-  for (const std::string file : {std::string(), std::string("PK\x03\x04"), std::string(100, 'x')}) {
+  for (const std::string& file :
+       {std::string(), std::string("PK\x03\x04"), std::string(100, 'x')}) {
     const auto packets = PacketReader::open("test.pcap", open_memory("test.pcap", file));
     ASSERT_FALSE(packets);
     EXPECT_THAT(packets.error().message, ::testing::HasSubstr("test.pcap"));

@@ -164,7 +164,7 @@ Result<LmdScan> parse(ByteView content) {
   read_channels<std::uint16_t>(in, scan.channels16);
   if (!in.ok()) {
     return fail(Error::Code::kMalformed, "byte {} of a scan telegram: a field is missing or wrong",
-                in.place() + kSent.size());
+                in.place() + kSent.size() + 1);
   }
   read_channels<std::uint8_t>(in, scan.channels8);
   const LmdScan measured = scan;

@@ -1,6 +1,8 @@
 #include "scanfuse/io/pcap/payload_reader.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <utility>
 
 #include "scanfuse/io/ros/wire_reader.hpp"
 
@@ -176,7 +178,7 @@ void PayloadReader::take_segment(Payload payload, std::uint32_t sequence, bool s
   if (is_new || start) {
     stream.next = sequence;
     stream.early.clear();
-    payload.start = true;
+    stream.is_fresh = true;
   }
   if (payload.bytes.empty()) return;
   const auto ahead = static_cast<std::int32_t>(sequence - stream.next);
@@ -211,6 +213,7 @@ void PayloadReader::drain(Stream& stream) {
     payload.bytes.erase(payload.bytes.begin(),
                         payload.bytes.begin() + static_cast<std::ptrdiff_t>(known));
     stream.next += static_cast<std::uint32_t>(payload.bytes.size());
+    payload.start = std::exchange(stream.is_fresh, false);
     ready_.push_back(std::move(payload));
   }
 }

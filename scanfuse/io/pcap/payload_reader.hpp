@@ -52,6 +52,7 @@ class PayloadReader {
   using Bytes = std::span<const std::byte>;
   struct Stream {
     std::uint32_t next = 0;
+    bool is_fresh = true;                    ///< nothing of this connection was given yet
     std::map<std::uint32_t, Payload> early;  ///< by sequence number
   };
   struct Fragments {
