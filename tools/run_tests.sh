@@ -51,7 +51,7 @@ build() { cmake --preset "$1" "${@:2}" && cmake --build --preset "$1"; }
 
 # Only what uses threads: a whole build for a few tests would take minutes.
 build_threaded() {
-  cmake --preset tsan && cmake --build --preset tsan --target core_test pipeline_test
+  cmake --preset tsan && cmake --build --preset tsan --target core_test pipeline_test drivers_test
 }
 
 install_and_consume() {

@@ -83,7 +83,7 @@ class Chain {
   int sent_ = 0;
 };
 
-TEST(Transport, CarriesScansOverTcp) {
+TEST(ParallelTransport, CarriesScansOverTcp) {
   Chain chain("sick:0");
   ASSERT_TRUE(chain.connect());
   EXPECT_TRUE(chain.carry(20));
@@ -93,7 +93,7 @@ TEST(Transport, CarriesScansOverTcp) {
   EXPECT_FALSE(status.diagnostics.any_damage());
 }
 
-TEST(Transport, CarriesScansOverUdp) {
+TEST(ParallelTransport, CarriesScansOverUdp) {
   // A port that is free now; another process may take it before it is used, hence some tries.
   for (int port = 47'311; port < 47'315; ++port) {
     Chain chain("multiscan:" + std::to_string(port));
@@ -104,7 +104,7 @@ TEST(Transport, CarriesScansOverUdp) {
   FAIL();
 }
 
-TEST(Transport, CarriesScansOverAPseudoTerminal) {
+TEST(ParallelTransport, CarriesScansOverAPseudoTerminal) {
   Chain chain("rplidar");
   ASSERT_TRUE(chain.connect());
   const auto beams = pattern_deg(-180, 0.9, 400, 1, 0.2, 12);
@@ -116,7 +116,7 @@ TEST(Transport, CarriesScansOverAPseudoTerminal) {
   EXPECT_GE(heard, 5);
 }
 
-TEST(Transport, ConnectsAgainWhenTheDeviceHangsUp) {
+TEST(ParallelTransport, ConnectsAgainWhenTheDeviceHangsUp) {
   Chain chain("sick:0");
   ASSERT_TRUE(chain.connect());
   ASSERT_TRUE(chain.carry(5));
@@ -130,7 +130,7 @@ TEST(Transport, ConnectsAgainWhenTheDeviceHangsUp) {
   EXPECT_EQ(status.diagnostics.count("connection made anew"), 3);
 }
 
-TEST(Transport, WaitsForADeviceThatRestarts) {
+TEST(ParallelTransport, WaitsForADeviceThatRestarts) {
   Chain chain("sick:0");
   ASSERT_TRUE(chain.connect());
   ASSERT_TRUE(chain.carry(5));
@@ -144,7 +144,7 @@ TEST(Transport, WaitsForADeviceThatRestarts) {
   EXPECT_TRUE(chain.carry(5));
 }
 
-TEST(Transport, ConnectsAgainWhenTheDeviceFallsSilent) {
+TEST(ParallelTransport, ConnectsAgainWhenTheDeviceFallsSilent) {
   Chain chain("sick:0");
   ASSERT_TRUE(chain.connect());
   ASSERT_TRUE(chain.carry(3));
@@ -153,7 +153,7 @@ TEST(Transport, ConnectsAgainWhenTheDeviceFallsSilent) {
   EXPECT_TRUE(chain.carry(3));
 }
 
-TEST(Transport, PassesOverGarbageAndHalfTelegrams) {
+TEST(ParallelTransport, PassesOverGarbageAndHalfTelegrams) {
   Chain chain("sick:0");
   ASSERT_TRUE(chain.connect());
   ASSERT_TRUE(chain.carry(3));
@@ -168,7 +168,7 @@ TEST(Transport, PassesOverGarbageAndHalfTelegrams) {
   EXPECT_GE(status.diagnostics.count("telegrams missing"), 1);
 }
 
-TEST(Transport, NeverWaitsForWhoDoesNotRead) {
+TEST(ParallelTransport, NeverWaitsForWhoDoesNotRead) {
   Chain chain("sick:0", 2);
   ASSERT_TRUE(chain.connect());
   for (int i = 0; i < 50; ++i) {
@@ -186,7 +186,7 @@ TEST(Transport, NeverWaitsForWhoDoesNotRead) {
   EXPECT_GE(first->scan.frame, status.scans - 3);
 }
 
-TEST(ScanQueue, LetsTheNewestOfEachSensorWin) {
+TEST(ParallelScanQueue, LetsTheNewestOfEachSensorWin) {
   ScanQueue queue(2);
   for (int i = 0; i < 5; ++i) {
     LiveScan scan;
@@ -201,7 +201,7 @@ TEST(ScanQueue, LetsTheNewestOfEachSensorWin) {
   EXPECT_THAT(left, ::testing::ElementsAre(0, 3, 4));
 }
 
-TEST(ScanQueue, KeepsItsBoundUnderManyThreads) {
+TEST(ParallelScanQueue, KeepsItsBoundUnderManyThreads) {
   ScanQueue queue(3);
   std::atomic<int> popped = 0;
   {
@@ -225,7 +225,7 @@ TEST(ScanQueue, KeepsItsBoundUnderManyThreads) {
   EXPECT_EQ(popped + dropped, 2000);
 }
 
-TEST(ScanQueue, ReturnsAtOnceWhenClosed) {
+TEST(ParallelScanQueue, ReturnsAtOnceWhenClosed) {
   ScanQueue queue(1);
   std::jthread closer([&] { queue.close(); });
   EXPECT_FALSE(queue.pop(std::chrono::minutes(1)));
