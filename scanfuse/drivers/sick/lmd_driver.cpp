@@ -11,6 +11,7 @@ namespace scanfuse::drivers::sick {
 namespace {
 
 constexpr std::uint16_t kFirstDistance = 16;  // smaller values are codes
+constexpr double kSlowestTurnS = 1;
 constexpr Duration kCounterPeriod = std::chrono::microseconds(std::int64_t{1} << 32);
 
 double angle_rad(std::int64_t ten_thousandths) { return radians(ten_thousandths * 1e-4); }
@@ -18,14 +19,15 @@ double angle_rad(std::int64_t ten_thousandths) { return radians(ten_thousandths 
 double elevation_rad(const LmdScan& scan) { return radians(-0.01 * scan.layer_angle); }
 
 double azimuth_rad(const LmdChannel& channel, std::size_t i) {
-  const auto at = channel.first_angle + static_cast<std::int64_t>(channel.step) * i;
+  const auto at = channel.first_angle + channel.step * static_cast<std::int64_t>(i);
   return angle_rad(at - 900'000);
 }
 
 /// Seconds between two beams, 0 where the device does not say how fast it turns.
 double beam_s(const LmdScan& scan, const LmdChannel& channel) {
   if (scan.scan_frequency == 0) return 0;
-  return channel.step / 3'600'000.0 / (scan.scan_frequency * 0.01);
+  const double whole_s = 1 / (scan.scan_frequency * 0.01);
+  return std::min(whole_s, kSlowestTurnS) * channel.step / 3'600'000.0;
 }
 
 void add_echo(const LmdScan& scan, int echo, std::vector<Return>& returns) {
@@ -160,7 +162,8 @@ std::optional<BeamPattern> beams_of(const LmdScan& scan) {
   beams.first_azimuth_rad = azimuth_rad(*distances, 0);
   beams.step_rad = angle_rad(distances->step);
   beams.columns = static_cast<int>(distances->values.size());
-  beams.max_range_m = distances->scale * 65535 * 1e-3;
+  const double farthest_m = distances->scale * 65535 * 1e-3;
+  beams.max_range_m = is_range(farthest_m) ? farthest_m : 0;
   return beams;
 }
 
