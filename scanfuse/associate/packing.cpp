@@ -67,7 +67,7 @@ Result<void> check_packing(const Packing& packing) {
   return {};
 }
 
-double PackingSolution::gap() const { return dual > 0 ? (dual - primal) / dual : 0; }
+double relative_gap(double primal, double dual) { return dual > 0 ? (dual - primal) / dual : 0; }
 
 Result<PackingSolution> solve_packing(PackingMethod method, const Packing& packing) {
   switch (method) {

@@ -89,6 +89,9 @@ struct PackingDiagnostics {
   std::vector<PackingRound> rounds;
 };
 
+/// (dual - primal) / dual, 0 where there is nothing to gain.
+[[nodiscard]] double relative_gap(double primal, double dual);
+
 struct PackingSolution {
   std::vector<std::int32_t> chosen;  ///< columns, ascending
   double primal = 0;
@@ -98,8 +101,7 @@ struct PackingSolution {
   std::vector<ProofStep> proof;  ///< the certificate; see `check_bound`
   PackingDiagnostics diagnostics;
 
-  /// (dual - primal) / dual, 0 where there is nothing to gain.
-  [[nodiscard]] double gap() const;
+  [[nodiscard]] double gap() const { return relative_gap(primal, dual); }
 };
 
 /// Takes columns from the heaviest on (ties: the lower index). Its dual bound is what a few rounds

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "scanfuse/report/assets.hpp"
+#include "scanfuse/report/opening.hpp"
 
 namespace scanfuse::report {
 std::string figures_page(const std::string& title, const std::string& note,
@@ -13,9 +14,7 @@ std::string figures_page(const std::string& title, const std::string& note,
   html += fmt::format("</style></head>\n<body><header><h1>{}</h1><p>{}</p></header>\n<main>\n",
                       escape_html(title), escape_html(note));
   for (const auto& table : tables) html += html_table(table);
-  html += "<section class=\"card\"><div class=\"charts\">\n";
-  for (const auto& chart : charts) html += line_chart(chart);
-  return html + "</div></section>\n</main></body></html>\n";
+  return html + html_charts(charts) + "</main></body></html>\n";
 }
 
 }  // namespace scanfuse::report

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "scanfuse/report/assets.hpp"
+#include "scanfuse/report/opening.hpp"
 #include "scanfuse/report/svg_plot.hpp"
 
 namespace scanfuse::report {
@@ -84,12 +85,7 @@ coasting; | birth, x death. Click to go there.</p></section>
 
 std::string track_report_page(const TrackReport& report, const TrackReportHeader& header) {
   std::string html;
-  html += "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">";
-  html += "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">";
-  html += fmt::format("<title>{} - tracks</title>\n<style>\n", escape_html(header.input));
-  html += page_style();
-  html += fmt::format("</style></head>\n<body><header><h1>{}</h1><p>{}</p></header>\n<main>\n",
-                      escape_html(header.input), escape_html(header.configuration));
+  html += html_opening(header.input + " - tracks", header.input, header.configuration);
   html += thinning_note(report);
   html += kViewer;
   html += "<div class=\"cards\">\n" + value_table("Run", summary_rows(report, header)) +

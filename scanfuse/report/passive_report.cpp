@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "scanfuse/report/assets.hpp"
+#include "scanfuse/report/opening.hpp"
 
 namespace scanfuse::report {
 namespace {
@@ -19,9 +19,7 @@ std::string section_html(const PassiveSection& section, std::span<const PassiveS
       "not all of one target.</p></section>\n";
   for (const auto& table : section.tables) html += html_table(table);
   if (section.charts.empty()) return html;
-  html += "<section class=\"card\"><div class=\"charts\">\n";
-  for (const auto& chart : section.charts) html += line_chart(chart);
-  return html + "</div></section>\n";
+  return html + html_charts(section.charts);
 }
 
 }  // namespace
@@ -30,12 +28,7 @@ std::string passive_page(const std::string& title, const std::string& note,
                          std::span<const PassiveSensor> sensors,
                          const std::vector<ReportTable>& tables,
                          const std::vector<PassiveSection>& sections) {
-  std::string html = "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">";
-  html += "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">";
-  html += fmt::format("<title>{}</title>\n<style>\n{}</style></head>\n", escape_html(title),
-                      page_style());
-  html += fmt::format("<body><header><h1>{}</h1><p>{}</p></header>\n<main>\n", escape_html(title),
-                      escape_html(note));
+  std::string html = html_opening(title, title, note);
   for (const auto& table : tables) html += html_table(table);
   for (const auto& section : sections) html += section_html(section, sensors);
   return html + "</main></body></html>\n";

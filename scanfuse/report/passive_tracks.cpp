@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "scanfuse/report/assets.hpp"
+#include "scanfuse/report/opening.hpp"
 
 namespace scanfuse::report {
 namespace {
@@ -82,17 +83,11 @@ std::string point_track_page(const std::string& title, const std::string& note,
                              std::span<const PointTrackFrame> frames,
                              const std::vector<ReportTable>& tables,
                              const std::vector<Chart>& charts) {
-  std::string html = "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">";
-  html += "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">";
-  html += fmt::format("<title>{}</title>\n<style>\n{}</style></head>\n", escape_html(title),
-                      page_style());
-  html += fmt::format("<body><header><h1>{}</h1><p>{}</p></header>\n<main>\n", escape_html(title),
-                      escape_html(note));
+  std::string html = html_opening(title, title, note);
   html += viewer_html();
   for (const auto& table : tables) html += html_table(table);
-  html += "<section class=\"card\"><div class=\"charts\">\n";
-  for (const auto& chart : charts) html += line_chart(chart);
-  html += "</div></section>\n</main>\n<script type=\"application/json\" id=\"data\">{\"sensors\":";
+  html +=
+      html_charts(charts) + "</main>\n<script type=\"application/json\" id=\"data\">{\"sensors\":";
   html += list_of(sensors, [](const PassiveSensor& s) {
     return fmt::format("{{\"name\":{},\"p\":[{}]}}", quoted(s.name),
                        triple(s.world_from_sensor.translation_m, 2));

@@ -105,8 +105,6 @@ double bound_on_all(const WeighedHypotheses& weighed, const associate::PackingSo
   return solution.dual + std::max(covered - known, 0.0);
 }
 
-double ScanAssociation::gap() const { return dual > 0 ? (dual - solution.primal) / dual : 0; }
-
 Result<associate::PackingSolution> solve(const associate::Packing& packing,
                                          const AssociationOptions& options, int threads) {
   if (options.solver != associate::PackingMethod::kPriceAndBranch) {

@@ -51,8 +51,7 @@ struct ScanAssociation {
   double solver_seconds = 0;    ///< wall time; the rest of the result does not depend on it
   double gate_probability = 0;  ///< narrower than asked for where there were too many hypotheses
 
-  /// (dual - primal) / dual, 0 where there is nothing to gain.
-  [[nodiscard]] double gap() const;
+  [[nodiscard]] double gap() const { return associate::relative_gap(solution.primal, dual); }
 };
 
 /// The hypotheses of a scan as columns over its bearings.

@@ -82,8 +82,7 @@ Result<TrackChoice> jointly(const BearingScan& scan, std::span<const LineOfSight
   const auto solution = solve(packing, association, threads);
   if (!solution) return tl::unexpected(solution.error());
   TrackChoice choice;
-  const double dual = bound_on_all(*fresh, *solution);
-  choice.gap = dual > 0 ? (dual - solution->primal) / dual : 0;
+  choice.gap = associate::relative_gap(solution->primal, bound_on_all(*fresh, *solution));
   choice.bearings_of_track.resize(tracks.size());
   for (const auto& own : columns) choice.log_ratio.push_back(own.front().log_ratio);
   for (const std::int32_t chosen : solution->chosen) {

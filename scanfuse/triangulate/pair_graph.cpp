@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <variant>
 
+#include "scanfuse/core/disjoint_sets.hpp"
 #include "scanfuse/core/parallel.hpp"
 
 namespace scanfuse::triangulate {
@@ -145,24 +145,17 @@ bool drop_pairs(PairGraph& graph, int threads) {
 }
 
 void find_components(PairGraph& graph) {
-  auto& parent = graph.component;
-  parent.resize(graph.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](std::int32_t node) {
-    auto k = static_cast<std::size_t>(node);
-    while (parent[k] != static_cast<std::int32_t>(k)) {
-      parent[k] = parent[static_cast<std::size_t>(parent[k])];
-      k = static_cast<std::size_t>(parent[k]);
-    }
-    return static_cast<std::int32_t>(k);
-  };
+  DisjointSets sets;
+  sets.reset(graph.size());
   for (std::size_t a = 0; a < graph.size(); ++a) {
     for (const Joined& j : graph.joined[a]) {
-      const std::int32_t one = root(static_cast<std::int32_t>(a)), other = root(j.node);
-      parent[static_cast<std::size_t>(std::max(one, other))] = std::min(one, other);
+      sets.join(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(j.node));
     }
   }
-  for (std::size_t a = 0; a < graph.size(); ++a) parent[a] = root(static_cast<std::int32_t>(a));
+  graph.component.resize(graph.size());
+  for (std::size_t a = 0; a < graph.size(); ++a) {
+    graph.component[a] = static_cast<std::int32_t>(sets.find(static_cast<std::uint32_t>(a)));
+  }
 }
 
 /// The node and its neighbours, one of them left out if need be, where they are one hypothesis.
