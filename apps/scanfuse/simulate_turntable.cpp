@@ -37,8 +37,8 @@ Result<void> apply_turntable_settings(TurntableArguments& arguments) {
     const auto setting = split_setting(set);
     if (!setting) {
       return fail(Error::Code::kMalformed,
-                  "--set {}: write world.name=value, noise.name=value or "
-                  "images.name=value",
+                  "--set {}: write world.name=value, noise.name=value, images.name=value or "
+                  "scans.name=value",
                   set);
     }
     Result<void> done;
@@ -48,6 +48,8 @@ Result<void> apply_turntable_settings(TurntableArguments& arguments) {
       done = set_option(arguments.noise, setting->name, setting->value);
     } else if (setting->section == "images") {
       done = set_option(arguments.images, setting->name, setting->value);
+    } else if (setting->section == "scans") {
+      done = set_option(arguments.scans, setting->name, setting->value);
     } else {
       done = fail(Error::Code::kNotFound,
                   "--set {}: the sections are world, noise, images and scans", set);
