@@ -24,7 +24,7 @@ struct EdgeShift {
   double backed_m = 0;
   double unbacked_m = 0;  ///< where nothing is behind
   double sigma_m = 0;
-  double spot_m = 0;  ///< diameter of the spot as intensities show it; 0: they do not
+  double spot_m = 0;          ///< diameter of the spot as intensities show it; 0: they do not
   bool backed_known = false;  ///< from intensities
   bool unbacked_known = false;
 };

@@ -105,8 +105,7 @@ Normals normals_of(const std::vector<LitBeam>& lit, double out_m, double radius_
     const double way = beam.on ? 1 : -1;
     const double off = beam.share - spot_share(way * u);
     // d share / d u = -2/pi sqrt(1 - u^2)
-    const double slope =
-        std::abs(u) < 1 ? way * 2 / kPi * std::sqrt(1 - u * u) / radius_m : 0.0;
+    const double slope = std::abs(u) < 1 ? way * 2 / kPi * std::sqrt(1 - u * u) / radius_m : 0.0;
     const Eigen::Vector2d g(slope, slope * u);
     sum.squares += beam.weight * off * off;
     sum.information += beam.weight * g * g.transpose();
@@ -224,8 +223,7 @@ EdgeShift edge_shift(std::span<const EdgeBeam> beams, const DiscEdge& edge,
   const double reach = kNear_spacings * options.spacing_m;
   EdgeShift shift;
   for (const bool backed : {true, false}) {
-    const auto fit =
-        by_light(near_edge(beams, edge, plateaus, backed, reach), options.spacing_m);
+    const auto fit = by_light(near_edge(beams, edge, plateaus, backed, reach), options.spacing_m);
     double& out = backed ? shift.backed_m : shift.unbacked_m;
     if (fit) {
       out = -fit->out_m;

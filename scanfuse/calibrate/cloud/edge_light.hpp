@@ -21,14 +21,14 @@ struct EdgeLightOptions {
 
 /// Where beams change from the target to what is behind it, seen from the edge itself.
 ///
-/// A beam that an edge cuts tells the echo that is the stronger of two, or their mean by light. Both
-/// change sides where target and background throw back equally much, at the share
-/// f = A2 / (A1 + A2) of the spot on the target with A1 and A2 their intensities: beyond the edge
-/// where the target is the lighter one, so that it is seen too large. Two ways to know how far:
+/// A beam that an edge cuts tells the echo that is the stronger of two, or their mean by light.
+/// Both change sides where target and background throw back equally much, at the share f = A2 / (A1
+/// + A2) of the spot on the target with A1 and A2 their intensities: beyond the edge where the
+/// target is the lighter one, so that it is seen too large. Two ways to know how far:
 ///
 /// - Echoes apart: such a beam's intensity is A1 f(d), or A2 (1 - f(d)) of one told on the
-///   background. The edge is where those cross half of what they are away from it; spot and edge are
-///   fitted to both. This holds too where nothing is behind the target.
+///   background. The edge is where those cross half of what they are away from it; spot and edge
+///   are fitted to both. This holds too where nothing is behind the target.
 /// - Echoes in one: the band of mixed beams reaches from share f1 to f2, those at which the mean is
 ///   `tolerance` away from target and background. Its width gives the spot and with it the shift.
 ///

@@ -69,9 +69,9 @@ struct DiscMeasure {
   PlaneMeasure plane;
   Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();
   Measured diameter_m;
-  double centre_sigma_m = 0;        ///< in the plane, each way, from the points
-  double spot_m = 0;  ///< diameter of the spot by intensities, or width of the mixed band
-  double edge_shift_m = 0;          ///< beyond the edge, where beams change sides; taken off
+  double centre_sigma_m = 0;  ///< in the plane, each way, from the points
+  double spot_m = 0;          ///< diameter of the spot by intensities, or width of the mixed band
+  double edge_shift_m = 0;    ///< beyond the edge, where beams change sides; taken off
   double outermost_diameter_m = 0;  ///< circle through the outermost points, for comparison only
   double area_diameter_m = 0;       ///< from the number of points, for comparison
   int edge_beams = 0;
