@@ -253,6 +253,7 @@ Result<Refined> refine(const TurntableFeatures& features, const Prepared& prepar
   }
   // Then at the noise that the data show.
   for (int round = 0; round < 4 && out.samples.size() >= 3; ++round) {
+    mark_squares(features.boards, out.state, out.samples);  // where they stand by now
     measure();
     choose_unknowns(options, out);
     // At the values just decided on; the minimum itself follows.
