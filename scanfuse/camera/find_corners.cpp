@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "scanfuse/camera/grid.hpp"
-#include "scanfuse/camera/opencv_calib3d.hpp"
+#include "scanfuse/camera/opencv_calib3d.inc"
 
 namespace scanfuse::camera {
 namespace {
