@@ -226,6 +226,9 @@ void add_learn(Tool& tool) {
   command->add_option("--ego", request->ego, "Ego motion (CSV) of the recordings");
   command->add_option("-o,--output", request->output, "Classes to write (TOML)")->required();
   command->add_option("--report", request->report, "HTML page to write");
+  command->add_flag("--vary", request->vary,
+                    "Leave out layers, columns and returns and add noise, another way in each "
+                    "recording that is learned from: for sensors that are not among them");
   command->add_flag("--json", request->json, "One JSON object on stdout");
   command->footer(
       "Of five recordings two serve to fit, two to calibrate, one to test, in the order given;\n"
