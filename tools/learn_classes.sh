@@ -35,7 +35,7 @@ simulate road-users hokuyo-utm30 10 200
 simulate road-users vlp16 10 300
 simulate mixed-streets hdl32 5 580
 simulate mixed-streets hdl64 5 590
-simulate mixed-streets hdl64 12 720 "1.5 1.73 2.0"
+simulate mixed-streets hdl64 4 720 "1.5 1.73 2.0"
 "$tool" learn classes "${recordings[@]}" --vary -o scanfuse/pipeline/classes.toml \
   --report "$work/classes.html"
 echo "report: $work/classes.html; build again to take the new classes in"
