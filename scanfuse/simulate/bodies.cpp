@@ -124,7 +124,7 @@ void add_bicycle(Mesh& mesh, const Bicycle& bicycle, RandomStream& build) {
 /// From the saddle up: upright on a city bicycle to bent on a racing one, hands on the bar. Gives
 /// the height of the crown.
 double add_upper_body(Mesh& mesh, const Bicycle& bicycle, double h, const Surface& cloth,
-                    RandomStream& build) {
+                      RandomStream& build) {
   const double lean = build.uniform(0.1, 0.8), depth = build.uniform(0.2, 0.3);
   const double breadth = build.uniform(0.36, 0.5), torso = 0.6;
   const Eigen::Vector3d seat(-0.15, 0, 0.88), bar(0.38, bicycle.bar_m / 2 - 0.04, 1.02);
