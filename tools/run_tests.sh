@@ -51,7 +51,7 @@ build() { cmake --preset "$1" "${@:2}" && cmake --build --preset "$1"; }
 
 # Only what uses threads: a whole build for a few tests would take minutes.
 build_threaded() {
-  cmake --preset tsan && cmake --build --preset tsan --target core_test pipeline_test
+  cmake --preset tsan && cmake --build --preset tsan --target core_test pipeline_test serve_test
 }
 
 install_and_consume() {
@@ -83,6 +83,7 @@ fi
 step "style" tools/check_style.sh
 step "build (GCC, release)" build release -DSCANFUSE_BUILD_TESTS=ON -DSCANFUSE_BUILD_BENCH=ON
 suite "tests (GCC, release)" release
+step "the viewer: types, tests, the built page, a browser" tools/check_viewer.sh build/release/scanfuse
 step "install, then build and run a user's project" install_and_consume
 wants() { [[ " ${SCANFUSE_CHECKS:-} " == *" $1 "* ]]; }
 if wants asan || wants fuzz; then
@@ -92,7 +93,7 @@ if wants asan; then suite "tests (sanitizers)" asan -LE slow; fi
 if wants fuzz; then step "fuzz every reader for ${SCANFUSE_FUZZ_SECONDS:-60} s" fuzz_all; fi
 if wants tsan; then
   step "build (Clang, thread sanitizer)" build_threaded
-  suite "tests (thread sanitizer)" tsan -R '^Parallel'
+  suite "tests (thread sanitizer)" tsan -R '^(Parallel|Server|Workbench|ViewerTest)'
 fi
 if wants tidy; then step "clang-tidy" tools/check_style.sh --tidy; fi
 

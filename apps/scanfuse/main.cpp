@@ -78,6 +78,7 @@ int run(int argc, char** argv) {
   add_calibrate(tool);
   add_assemble(tool);
   add_measure(tool);
+  add_view(tool);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

@@ -5,6 +5,7 @@
 #include "track_outputs.hpp"
 #include "track_passive.hpp"
 #include "track_run.hpp"
+#include "view_run.hpp"
 
 namespace scanfuse::app {
 namespace {
@@ -117,7 +118,17 @@ void add_track(Tool& tool) {
       "  scanfuse track 0000.txt --calib calib/0000.txt --frame-rate 10 -o tracks.csv\n"
       "  scanfuse track bearings.csv --sensors sensors.toml -o tracks.csv\n" +
       passive_track_help());
-  app->callback([&tool, request] { *tool.exit_code = run(*request, *tool.common); });
+  auto look = std::make_shared<bool>(false);
+  app->add_flag("--view", *look, "Then look at it in a browser, as `scanfuse view` does");
+  app->callback([&tool, request, look] {
+    int& code = *tool.exit_code;
+    code = run(*request, *tool.common);
+    if (!*look || (code != kDone && code != kDamagedInput)) return;
+    ViewRequest view;
+    view.track = *request;
+    view.again = true;
+    if (const int served = run_view(view, *tool.common); served != kDone) code = served;
+  });
 }
 
 }  // namespace scanfuse::app

@@ -57,6 +57,9 @@ struct TrackOutcome {
 /// The options of the preset, then the file, then --set and --frame.
 [[nodiscard]] Result<pipeline::PerceptionOptions> resolve_options(const TrackRequest& request);
 
+/// The scans of the recording with the poses asked for: of all sensors, whatever topics are named.
+[[nodiscard]] Result<pipeline::ScanFeed> open_feed(const TrackRequest& request);
+
 [[nodiscard]] Result<TrackOutcome> run_track(const TrackRequest& request,
                                              const CommonOptions& common);
 

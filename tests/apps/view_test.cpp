@@ -1,0 +1,53 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "apps/tool.hpp"
+
+namespace scanfuse::tool_testing {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+TEST(View, WhatCannotBeShownIsSaidWithExitCode2) {
+  const TemporaryFolder folder;
+  const auto empty = folder.write("empty.csv", "frame,time_s,x_m,y_m\n").string();
+  const auto tracks = folder.write("tracks.csv", "frame,time_s,track_id,x_m,y_m\n0,0,1,2,3\n");
+  const auto bearings =
+      folder.write("b.csv", "scan,time_s,sensor,measurement,azimuth_rad\n0,0,a,0,1\n");
+  for (const std::string& input :
+       {std::string("nothing.mcap"), empty, tracks.string(), bearings.string()}) {
+    const auto outcome = run_tool(folder, "view --port 0 --no-browser " + input);
+    EXPECT_EQ(outcome.code, 2) << input;
+    EXPECT_THAT(outcome.err, HasSubstr("scanfuse: error: ")) << input;
+  }
+}
+
+TEST(View, AnAddressThatIsNoneIsRefused) {
+  const TemporaryFolder folder;
+  const auto points = folder.write("p.csv", "frame,time_s,x_m,y_m\n0,0,1,2\n").string();
+  const auto outcome = run_tool(folder, "view --no-browser --listen somewhere " + points);
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("--listen somewhere"));
+  EXPECT_EQ(run_tool(folder, "view --port 70000 " + points).code, 2);
+}
+
+TEST(View, PrintsWhereItServesAndEndsWellOnCtrlC) {
+  const TemporaryFolder folder;
+  const auto points = folder.write("p.csv", "frame,time_s,x_m,y_m\n0,0,1,2\n1,0.1,1,2\n").string();
+  const auto wait = "timeout -s INT 4 ";
+  const auto out = folder.path() / "address";
+  for (const std::string listen : {"127.0.0.1", "0.0.0.0"}) {
+    const std::string command = wait + std::string(SCANFUSE_TOOL) + " view --port 0 --no-browser" +
+                                " --listen " + listen + " " + points + " >" + out.string() +
+                                " 2>/dev/null";
+    const int status = std::system(command.c_str());
+    EXPECT_EQ(WEXITSTATUS(status), 124) << "timeout had to end it";
+    const auto address = content_of(out);
+    EXPECT_THAT(address, StartsWith("http://"));
+    EXPECT_EQ(address.find("?token=") != std::string::npos, listen == "0.0.0.0") << address;
+  }
+}
+
+}  // namespace
+}  // namespace scanfuse::tool_testing
