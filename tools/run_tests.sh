@@ -51,7 +51,8 @@ build() { cmake --preset "$1" "${@:2}" && cmake --build --preset "$1"; }
 
 # Only what uses threads: a whole build for a few tests would take minutes.
 build_threaded() {
-  cmake --preset tsan && cmake --build --preset tsan --target core_test pipeline_test serve_test
+  cmake --preset tsan && cmake --build --preset tsan \
+    --target core_test pipeline_test serve_test drivers_test
 }
 
 install_and_consume() {

@@ -87,6 +87,8 @@ void add_track(Tool& tool) {
   app->add_option("--frame", request->frame, "Frame of the results: world or ego");
   app->add_option("--topic", request->topics, "Only this scan topic; may be repeated")
       ->allow_extra_args(false);
+  app->add_option("--sensor", request->sensor,
+                  "Device that speaks in a capture (.pcap), if its ports do not tell: sick, ...");
   app->add_option("--ego-topic", request->ego_topic,
                   "Topic of the ego pose: Odometry, PoseStamped, PoseWithCovarianceStamped");
   app->add_option("--ego", request->ego_file, "Ego motion beside the recording, as CSV");

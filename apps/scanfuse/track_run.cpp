@@ -6,6 +6,7 @@
 
 #include "scanfuse/io/tables.hpp"
 #include "scanfuse/io/toml.hpp"
+#include "scanfuse/pipeline/capture_reader.hpp"
 #include "track_outputs.hpp"
 
 namespace scanfuse::app {
@@ -108,7 +109,7 @@ Result<void> track_all(const TrackRequest& request, pipeline::ScanFeed& feed,
 Result<pipeline::ScanFeed> open_feed(const TrackRequest& request) {
   io::OpenOptions open;
   open.paper_axes = request.paper_axes;
-  auto reader = io::open_recording(request.input, open);
+  auto reader = pipeline::open_any_recording(request.input, open, {request.sensor, {}});
   if (!reader) return tl::unexpected(reader.error());
   std::vector<std::string> known;
   for (const auto& topic : (*reader)->info().topics) known.push_back(topic.name);

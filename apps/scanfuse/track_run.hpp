@@ -26,6 +26,7 @@ struct TrackRequest {
   std::vector<std::string> set;
   std::string frame;
   std::vector<std::string> topics;
+  std::string sensor;  ///< device that speaks in a capture; empty: its ports tell
   std::string ego_topic;
   std::string ego_file;
   std::vector<double> mount;  ///< x, y, yaw
