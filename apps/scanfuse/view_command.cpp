@@ -37,6 +37,16 @@ std::string address_of(const ViewRequest& request, int port) {
   return fmt::format("http://{}{}{}:{}/{}", v6 ? "[" : "", host, v6 ? "]" : "", port, query);
 }
 
+/// A recording or sensors; what belongs to recordings only is not for sensors.
+void check_inputs(const CLI::App& app, bool has_input) {
+  const bool is_live = app.count("--live") > 0;
+  if (!has_input && !is_live) throw CLI::RequiredError("input or --live");
+  for (const char* recorded : {"--topic", "--ego-topic", "--ego", "--mount", "--truth", "--sensors",
+                               "--labels", "--again"}) {
+    if (is_live && app.count(recorded) > 0) throw CLI::ExcludesError("--live", recorded);
+  }
+}
+
 }  // namespace
 
 int run_view(ViewRequest request, const CommonOptions& common) {
@@ -81,9 +91,13 @@ void add_view(Tool& tool) {
   auto request = std::make_shared<ViewRequest>();
   request->track.scoring.options.min_visible_points = 1;
   auto* app = tool.app->add_subcommand("view", "Look at a recording and its tracks in a browser");
-  app->add_option("input", request->track.input,
-                  "Recording (file or folder), points in CSV, tracks (MCAP) of ours")
-      ->required();
+  auto* input = app->add_option("input", request->track.input,
+                                "Recording (file or folder), points in CSV, tracks (MCAP) of ours");
+  app->add_option("--live", request->live.sensors,
+                  "Sensors that are running in place of a recording, as "
+                  "sick://192.168.0.1:2112; may be repeated")
+      ->allow_extra_args(false)
+      ->excludes(input);
   app->add_option(
          "--preset", request->track.preset,
          fmt::format("Options to start from: {}", fmt::join(pipeline::preset_names(), ", ")))
@@ -131,9 +145,11 @@ void add_view(Tool& tool) {
       "  scanfuse view lap.bag --ego-topic /ego_pose --mount -0.12,0,0 --preset vehicle-model\n"
       "  scanfuse view bearings.csv --sensors sensors.toml\n"
       "  scanfuse view tracks.mcap --labels truth.csv\n"
+      "  scanfuse view --live sick://192.168.0.1:2112 --preset road-users\n"
       "  scanfuse view drive.mcap --listen 0.0.0.0 --port 8080\n"
       "Foxglove and Lichtblick connect to the same port: ws://localhost:8765.\n");
-  app->callback([&tool, app, request] {
+  app->callback([&tool, app, input, request] {
+    check_inputs(*app, input->count() > 0);
     request->server.next_free_port = app->count("--port") == 0;
     request->has_preset = app->count("--preset") > 0;
     *tool.exit_code = run_view(*request, *tool.common);

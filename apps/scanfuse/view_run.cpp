@@ -110,8 +110,9 @@ Result<OpenView> open_view(const ViewRequest& request, const CommonOptions&) {
   if (auto fine = refuse_to_replace(request.track.input, request.labels); !fine) {
     return tl::unexpected(fine.error());
   }
-  auto bench =
-      request.track.sensors.empty() ? open_bench(request) : open_passive_bench(request.track);
+  auto bench = !request.live.sensors.empty()   ? open_live_bench(request.track, request.live)
+               : request.track.sensors.empty() ? open_bench(request)
+                                               : open_passive_bench(request.track);
   if (!bench) return tl::unexpected(bench.error());
   auto labels = std::make_unique<serve::Labels>(request.labels);
   if (auto done = load_labels(request.labels, **bench, *labels); !done) {

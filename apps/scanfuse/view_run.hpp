@@ -4,6 +4,7 @@
 #include <string>
 
 #include "command.hpp"
+#include "live_request.hpp"
 #include "scanfuse/serve/viewer.hpp"
 #include "track_run.hpp"
 
@@ -12,6 +13,7 @@ namespace scanfuse::app {
 /// What `view` was asked to do.
 struct ViewRequest {
   TrackRequest track;  ///< input, options, truth
+  LiveRequest live;    ///< in place of an input
   bool has_preset = false;
   bool again = false;        ///< track, though tracks are stored
   std::string labels;        ///< file, or empty
@@ -30,6 +32,10 @@ struct OpenView {
 /// Bearings of passive sensors, tracked as `track --sensors` does.
 [[nodiscard]] Result<std::unique_ptr<serve::Workbench>> open_passive_bench(
     const TrackRequest& request);
+
+/// Sensors that are running, tracked as `live` does.
+[[nodiscard]] Result<std::unique_ptr<serve::Workbench>> open_live_bench(const TrackRequest& request,
+                                                                        const LiveRequest& live);
 
 /// Serves until Ctrl-C; prints the address on stdout.
 [[nodiscard]] int run_view(ViewRequest request, const CommonOptions& common);
