@@ -106,12 +106,12 @@ Result<void> load_labels(const std::string& path, const serve::Workbench& bench,
 
 }  // namespace
 
-Result<OpenView> open_view(const ViewRequest& request, const CommonOptions&) {
+Result<OpenView> open_view(const ViewRequest& request, const CommonOptions& common) {
   if (auto fine = refuse_to_replace(request.track.input, request.labels); !fine) {
     return tl::unexpected(fine.error());
   }
-  auto bench =
-      request.track.sensors.empty() ? open_bench(request) : open_passive_bench(request.track);
+  auto bench = request.track.sensors.empty() ? open_bench(request)
+                                             : open_passive_bench(request, common.threads);
   if (!bench) return tl::unexpected(bench.error());
   auto labels = std::make_unique<serve::Labels>(request.labels);
   if (auto done = load_labels(request.labels, **bench, *labels); !done) {

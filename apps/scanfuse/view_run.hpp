@@ -1,17 +1,20 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "command.hpp"
 #include "scanfuse/serve/viewer.hpp"
+#include "scanfuse/triangulate/associate_scan.hpp"
 #include "track_run.hpp"
 
 namespace scanfuse::app {
 
 /// What `view` was asked to do.
 struct ViewRequest {
-  TrackRequest track;  ///< input, options, truth
+  TrackRequest track;                                          ///< input, options, truth
+  std::optional<triangulate::AssociationOptions> association;  ///< of scans of bearings by itself
   bool has_preset = false;
   bool again = false;        ///< track, though tracks are stored
   std::string labels;        ///< file, or empty
@@ -27,9 +30,9 @@ struct OpenView {
   serve::Viewer viewer;
 };
 
-/// Bearings of passive sensors, tracked as `track --sensors` does.
+/// Bearings of passive sensors, tracked as `track --sensors` does, or associated scan by scan.
 [[nodiscard]] Result<std::unique_ptr<serve::Workbench>> open_passive_bench(
-    const TrackRequest& request);
+    const ViewRequest& request, int threads);
 
 /// Serves until Ctrl-C; prints the address on stdout.
 [[nodiscard]] int run_view(ViewRequest request, const CommonOptions& common);
