@@ -106,13 +106,13 @@ Result<void> load_labels(const std::string& path, const serve::Workbench& bench,
 
 }  // namespace
 
-Result<OpenView> open_view(const ViewRequest& request, const CommonOptions&) {
+Result<OpenView> open_view(const ViewRequest& request, const CommonOptions& common) {
   if (auto fine = refuse_to_replace(request.track.input, request.labels); !fine) {
     return tl::unexpected(fine.error());
   }
   auto bench = !request.live.sensors.empty()   ? open_live_bench(request.track, request.live)
                : request.track.sensors.empty() ? open_bench(request)
-                                               : open_passive_bench(request.track);
+                                               : open_passive_bench(request, common.threads);
   if (!bench) return tl::unexpected(bench.error());
   auto labels = std::make_unique<serve::Labels>(request.labels);
   if (auto done = load_labels(request.labels, **bench, *labels); !done) {

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "command.hpp"
 #include "live_request.hpp"
 #include "scanfuse/serve/viewer.hpp"
+#include "scanfuse/triangulate/associate_scan.hpp"
 #include "track_run.hpp"
 
 namespace scanfuse::app {
@@ -14,6 +16,8 @@ namespace scanfuse::app {
 struct ViewRequest {
   TrackRequest track;  ///< input, options, truth
   LiveRequest live;    ///< in place of an input
+  TrackRequest track;                                          ///< input, options, truth
+  std::optional<triangulate::AssociationOptions> association;  ///< of scans of bearings by itself
   bool has_preset = false;
   bool again = false;        ///< track, though tracks are stored
   std::string labels;        ///< file, or empty
@@ -29,9 +33,9 @@ struct OpenView {
   serve::Viewer viewer;
 };
 
-/// Bearings of passive sensors, tracked as `track --sensors` does.
+/// Bearings of passive sensors, tracked as `track --sensors` does, or associated scan by scan.
 [[nodiscard]] Result<std::unique_ptr<serve::Workbench>> open_passive_bench(
-    const TrackRequest& request);
+    const ViewRequest& request, int threads);
 
 /// Sensors that are running, tracked as `live` does.
 [[nodiscard]] Result<std::unique_ptr<serve::Workbench>> open_live_bench(const TrackRequest& request,

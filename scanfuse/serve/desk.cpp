@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::size_t kMostWaiting = 64;  ///< requests of one client
 constexpr auto kStatusEvery = std::chrono::milliseconds(250);
+constexpr auto kLiveStatusEvery = std::chrono::milliseconds(40);  ///< it tells of new frames
 constexpr std::uint32_t kStatusSlot = 1;
 
 Result<pipeline::PerceptionOptions> tuned(const Workbench& bench, const TuneRequest& request) {
@@ -25,6 +26,10 @@ Result<pipeline::PerceptionOptions> tuned(const Workbench& bench, const TuneRequ
     }
   }
   return options;
+}
+
+std::chrono::milliseconds pace_of(const Workbench& bench) {
+  return bench.is_live() ? kLiveStatusEvery : kStatusEvery;
 }
 
 }  // namespace
@@ -161,9 +166,10 @@ void Desk::close(ClientId client) {
 }
 
 void Desk::loop() {
+  const auto pace = pace_of(bench_);
   std::unique_lock lock(guard_);
   while (!stopping_) {
-    changed_.wait_for(lock, kStatusEvery, [&] { return stopping_ || !waiting_.empty(); });
+    changed_.wait_for(lock, pace, [&] { return stopping_ || !waiting_.empty(); });
     if (stopping_) break;
     std::optional<Waiting> next;
     if (!waiting_.empty()) {
@@ -177,7 +183,7 @@ void Desk::loop() {
   }
 }
 
-/// To those who are new at once, to all others when it changed, four times a second at most.
+/// To those who are new at once, to all others when it changed, but not too often.
 void Desk::tell_status() {
   std::vector<ClientId> fresh, all;
   {
@@ -190,7 +196,7 @@ void Desk::tell_status() {
   }
   for (const auto client : fresh) send_(client, {hello_json(bench_, labels_), false, 0});
   const auto now = std::chrono::steady_clock::now();
-  if (fresh.empty() && now - last_told_ < kStatusEvery) return;
+  if (fresh.empty() && now - last_told_ < pace_of(bench_)) return;
   if (all.empty()) return;
   last_told_ = now;
   std::string status = status_json(bench_);

@@ -155,6 +155,8 @@ export class App {
     this.names.classes = hello.classes;
     this.names.statuses = hello.statuses;
     this.store.forget();
+    this.player.live = hello.live;
+    if (hello.live) this.player.play();
     this.tune.greet(hello);
     this.info.greet(hello);
   }
@@ -178,7 +180,7 @@ export class App {
       ? [status.trial_from, status.trial_end - 1] : null;
     this.timeline.draw();
     this.tune.showStatus(status);
-    const reading = `reading and tracking: ${status.frames} frames so far`;
+    const reading = this.player.live ? `live: ${status.frames} frames so far` : `reading and tracking: ${status.frames} frames so far`;
     if (status.problem !== "") this.bar.setNote(status.problem, true);
     else this.bar.setNote(status.done ? "" : reading);
     this.showInfo();

@@ -7,6 +7,9 @@ export class Player {
   frame = 0;
   playing = false;
   speed = 1;
+  /** Of sensors that are running: playing means to stay with the newest frame. */
+  live = false;
+  private due = 0;
   private times: number[] = [];
   private clock = 0;
 
@@ -61,7 +64,7 @@ export class Player {
   }
 
   play(): void {
-    if (this.frame >= this.count - 1) this.seek(0);
+    if (!this.live && this.frame >= this.count - 1) this.seek(0);
     this.clock = this.time;
     this.playing = true;
     this.changed.emit();
@@ -84,6 +87,7 @@ export class Player {
    */
   advance(seconds: number, ready: (frame: number) => boolean): void {
     if (!this.playing) return;
+    if (this.live) return this.catchUp(ready);
     const due = this.clock + Math.min(seconds, 0.25) * this.speed;
     const next = this.frameAt(due);
     if (next !== this.frame && !ready(next)) return;
@@ -93,5 +97,10 @@ export class Player {
       this.moved.emit(next);
     }
     if (next >= this.count - 1) this.pause();
+  }
+  /** Shows what was newest when it was asked for, then asks for what is newest by now. */
+  private catchUp(ready: (frame: number) => boolean): void {
+    if (this.due <= this.frame) this.due = this.count - 1;
+    if (this.due > this.frame && ready(this.due)) this.seek(this.due);
   }
 }

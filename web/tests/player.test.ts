@@ -33,6 +33,23 @@ describe("Player", () => {
     expect(player.frame).toBe(1);
   });
 
+  it("stays with the newest frame of sensors that are running, and leaves out what came late", () => {
+    const player = playerWith([0, 0.1, 0.2]);
+    player.live = true;
+    player.play();
+    player.advance(0.02, () => false);
+    expect(player.frame).toBe(0);
+    player.setTimes(3, new Float64Array([0.3, 0.4]));
+    player.advance(0.02, () => true);
+    expect(player.frame).toBe(2);
+    player.advance(0.02, () => true);
+    expect(player.frame).toBe(4);
+    expect(player.playing).toBe(true);
+    player.step(-3);
+    player.advance(0.02, () => true);
+    expect(player.frame).toBe(1);
+  });
+
   it("keeps to its bounds when it steps", () => {
     const player = playerWith([0, 0.1, 0.2]);
     player.step(-5);

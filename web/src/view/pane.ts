@@ -51,7 +51,7 @@ export class Pane {
     this.tags = [];
     for (const layer of [this.lines, this.pale, this.faces]) layer.begin();
     if (shown.outlines) this.drawOutlines(frame);
-    if (shown.detections) this.drawDetections(frame);
+    if (shown.detections || isOfFixes(frame)) this.drawDetections(frame);
     if (shown.truth) this.drawTruth(frame);
     if (shown.boxes) for (const track of this.visibleTracks()) this.drawTrack(frame, track);
     if (shown.sight) this.drawSight(frame);
@@ -142,8 +142,10 @@ export class Pane {
     const z = this.ground(frame);
     for (const detection of frame.detections) {
       const colour = rgb(this.palette.classes[detection.class] ?? this.palette.text);
-      this.pale.loop(corners(detection), z, colour);
-      if (this.settings.shown.covariance) {
+      const isPoint = detection.length < 0.01;
+      if (isPoint) this.drawMark([detection.x, detection.y, detection.z], this.markSize(frame), this.lines, colour);
+      else this.pale.loop(corners(detection), z, colour);
+      if (this.settings.shown.covariance || isPoint) {
         this.pale.loop(ellipse(detection.x, detection.y, detection.covariance), z, colour);
       }
     }
@@ -215,6 +217,11 @@ export class Pane {
       this.tags.push({ text: `object ${label.id}`, x: label.x, y: label.y, z, colour: this.palette.warning, track: null, faint: false });
     }
   }
+}
+
+/** Directions that were intersected, scan by scan: there is nothing else to see. */
+function isOfFixes(frame: Frame): boolean {
+  return frame.rays.length > 0 && frame.tracks.length === 0;
 }
 
 export function nameOf(track: Track): string {
