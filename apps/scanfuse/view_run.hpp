@@ -14,9 +14,8 @@ namespace scanfuse::app {
 
 /// What `view` was asked to do.
 struct ViewRequest {
-  TrackRequest track;  ///< input, options, truth
-  LiveRequest live;    ///< in place of an input
   TrackRequest track;                                          ///< input, options, truth
+  LiveRequest live;                                            ///< in place of an input
   std::optional<triangulate::AssociationOptions> association;  ///< of scans of bearings by itself
   bool has_preset = false;
   bool again = false;        ///< track, though tracks are stored
