@@ -27,7 +27,7 @@ if [ -n "$input" ]; then
 fi
 echo
 echo "Look at $out/lu2018-2.html in a browser; open $out/lu2018-2.mcap in Foxglove."
-if [ -t 1 ]; then  # somebody is there: show it until Ctrl-C
+if [ -t 1 ] && [ -z "${CI:-}" ]; then  # somebody is there: show it until Ctrl-C
   exec "$tool" view $shown
 fi
 echo "In a browser: $tool view $shown"

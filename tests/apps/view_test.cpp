@@ -49,5 +49,31 @@ TEST(View, PrintsWhereItServesAndEndsWellOnCtrlC) {
   }
 }
 
+TEST(View, AssociationsAreShownAfterTheyWereMade) {
+  const TemporaryFolder folder;
+  const auto bearings = (folder.path() / "bearings.csv").string();
+  const auto sensors = (folder.path() / "sensors.toml").string();
+  const auto made = run_tool(folder, "simulate passive --targets 3 --set passive.scans=2 -o " +
+                                         bearings + " --sensors-out " + sensors);
+  ASSERT_EQ(made.code, 0) << made.err;
+  const auto out = folder.path() / "out";
+  const std::string command = "timeout -s INT 4 " + std::string(SCANFUSE_TOOL) + " associate " +
+                              bearings + " --sensors " + sensors + " --view >" + out.string() +
+                              " 2>/dev/null";
+  EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 124) << "timeout had to end it";
+  EXPECT_THAT(content_of(out), HasSubstr("targets"));
+  EXPECT_THAT(content_of(out), HasSubstr("http://localhost:"));
+}
+
+TEST(View, SensorsAndRecordingsDoNotMix) {
+  const TemporaryFolder folder;
+  const auto points = folder.write("p.csv", "frame,time_s,x_m,y_m\n0,0,1,2\n").string();
+  for (const std::string& arguments :
+       {std::string("view"), "view --live sick://x " + points,
+        std::string("view --live sick://x --labels l.csv"), std::string("view --live sonar://x")}) {
+    EXPECT_EQ(run_tool(folder, arguments).code, 2) << arguments;
+  }
+}
+
 }  // namespace
 }  // namespace scanfuse::tool_testing
