@@ -1,14 +1,14 @@
+#include "bench_turntable.hpp"
+
 #include <fmt/format.h>
 
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <chrono>
 
-#include "bench_rows.hpp"
 #include "scanfuse/calibrate/rig_error.hpp"
 #include "scanfuse/core/parallel.hpp"
 #include "scanfuse/simulate/turntable_features.hpp"
-#include "turntable_errors.hpp"
 
 namespace scanfuse::app {
 namespace {
@@ -218,6 +218,7 @@ Result<std::vector<BenchRow>> bench_turntable(const SeedRange& seeds, int thread
   add_correlated(rows, *bound, seeds, threads);
   add_bias(rows, *bound, seeds, threads);
   add_speed(rows, *bound, seeds.first);
+  for (auto& row : bench_turntable_images(seeds, threads)) rows.push_back(std::move(row));
   return rows;
 }
 

@@ -148,6 +148,7 @@ Result<MeasureResult> disc_result(const MeasureInput& input) {
                    {"plane_rms_mm", disc->plane.rms_m * 1e3},
                    {"points", disc->plane.points},
                    {"spot_mm", disc->spot_m * 1e3},
+                   {"edge_shift_mm", disc->edge_shift_m * 1e3},
                    {"edge_beams", disc->edge_beams},
                    {"unbacked_share", disc->unbacked_share},
                    {"by_area", disc->by_area},

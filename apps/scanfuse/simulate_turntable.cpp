@@ -1,18 +1,13 @@
 #include <filesystem>
 #include <memory>
-#include <system_error>
 
 #include "command.hpp"
-#include "scanfuse/core/parallel.hpp"
 #include "scanfuse/io/atomic_file.hpp"
-#include "scanfuse/io/image.hpp"
 #include "scanfuse/io/session/features_json.hpp"
-#include "scanfuse/io/session/rig_toml.hpp"
 #include "scanfuse/io/session/scan_table.hpp"
 #include "scanfuse/io/session/session_folder.hpp"
-#include "scanfuse/simulate/turntable_features.hpp"
-#include "scanfuse/simulate/turntable_images.hpp"
 #include "scanfuse/simulate/turntable_scans.hpp"
+#include "turntable_files.hpp"
 
 namespace scanfuse::app {
 namespace {
@@ -37,8 +32,8 @@ Result<void> apply_turntable_settings(TurntableArguments& arguments) {
     const auto setting = split_setting(set);
     if (!setting) {
       return fail(Error::Code::kMalformed,
-                  "--set {}: write world.name=value, noise.name=value or "
-                  "images.name=value",
+                  "--set {}: write world.name=value, noise.name=value, images.name=value or "
+                  "scans.name=value",
                   set);
     }
     Result<void> done;
@@ -48,39 +43,13 @@ Result<void> apply_turntable_settings(TurntableArguments& arguments) {
       done = set_option(arguments.noise, setting->name, setting->value);
     } else if (setting->section == "images") {
       done = set_option(arguments.images, setting->name, setting->value);
+    } else if (setting->section == "scans") {
+      done = set_option(arguments.scans, setting->name, setting->value);
     } else {
       done = fail(Error::Code::kNotFound,
                   "--set {}: the sections are world, noise, images and scans", set);
     }
     if (!done) return done;
-  }
-  return {};
-}
-
-Result<void> make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (!error) return {};
-  return fail(Error::Code::kNotFound, "{}: cannot be created: {}", folder.string(),
-              error.message());
-}
-
-io::SessionFile about(const SimulatedTurntable& made) {
-  io::SessionFile session;
-  session.camera = made.features.camera;
-  for (const BoardSpec& board : made.features.boards) session.boards.push_back({board, ""});
-  for (const auto& position : made.features.positions) {
-    session.turntable_rad.push_back(position.turntable_rad);
-  }
-  return session;
-}
-
-Result<void> write_scans(const fs::path& folder, const SimulatedTurntable& made) {
-  const io::LidarConventions conventions;
-  for (std::size_t k = 0; k < made.features.positions.size(); ++k) {
-    const auto text = io::scan_table_text(made.features.positions[k].scan, conventions);
-    auto wrote = io::write_whole(folder / io::numbered_name("scan", k, ".csv"), text);
-    if (!wrote) return wrote;
   }
   return {};
 }
@@ -114,36 +83,6 @@ Result<void> write_discs(const fs::path& folder, const SimulatedTurntable& made,
   return {};
 }
 
-/// Renders and writes the images; false in `finished` where Ctrl-C came first.
-Result<void> write_images(const fs::path& folder, const SimulatedTurntable& made,
-                          const TurntableArguments& arguments, const CommonOptions& common) {
-  const simulate::TurntableRenderer renderer(made.world, arguments.images, common.seed,
-                                             common.threads);
-  if (auto wrote = io::write_png(folder / "board.png", renderer.bright()); !wrote) return wrote;
-  const std::size_t count = made.features.positions.size();
-  std::vector<Result<void>> done(count);
-  Progress progress("rendering", common.quiet);
-  // In blocks, so that the bar moves and Ctrl-C is seen.
-  constexpr std::size_t kBlock = 8;
-  for (std::size_t begin = 0; begin < count && !interrupted; begin += kBlock) {
-    parallel_for(std::min(kBlock, count - begin), common.threads, [&](std::size_t i) {
-      const std::size_t k = begin + i;
-      done[k] = io::write_png(folder / io::numbered_name("stripe", k, ".png"),
-                              renderer.stripe(k, made.turned_rad[k]));
-      if (done[k] && arguments.laser_off) {
-        done[k] = io::write_png(folder / io::numbered_name("stripe", k, "_off.png"),
-                                renderer.laser_off(k));
-      }
-    });
-    progress.update(static_cast<std::int64_t>(std::min(begin + kBlock, count)),
-                    static_cast<std::int64_t>(count));
-  }
-  for (auto& each : done) {
-    if (!each) return each;
-  }
-  return {};
-}
-
 int run_simulate_turntable(TurntableArguments arguments, const CommonOptions& common) {
   catch_interrupts();
   if (auto done = apply_turntable_settings(arguments); !done) return report_error(done.error());
@@ -157,20 +96,22 @@ int run_simulate_turntable(TurntableArguments arguments, const CommonOptions& co
       made.features.positions[k].scan = std::move(scans[k]);
     }
   }
-  auto wrote = write_scans(folder, made);
+  auto wrote = write_session_scans(folder, made);
   if (wrote && arguments.features_only) {
     wrote = io::write_whole(folder / "features.json", io::features_text(made.features));
   } else if (wrote) {
-    wrote = write_images(folder, made, arguments, common);
+    Progress progress("rendering", common.quiet);
+    const auto tell = [&](std::size_t done, std::size_t all) {
+      progress.update(static_cast<std::int64_t>(done), static_cast<std::int64_t>(all));
+      return interrupted.load();
+    };
+    wrote = write_session_images(
+        folder, made, {arguments.images, arguments.laser_off, common.seed, common.threads, tell});
   }
   if (wrote && !interrupted) wrote = write_discs(folder, made, arguments, common);
   if (!wrote) return report_error(wrote.error());
   if (interrupted) return kInterrupted;
-  for (const auto& done :
-       {io::write_rig(folder / "truth.toml", {made.world.rig, made.world.camera}),
-        io::write_whole(folder / "session.toml", io::session_file_text(about(made)))}) {
-    if (!done) return report_error(done.error());
-  }
+  if (auto done = write_session_about(folder, made); !done) return report_error(done.error());
   return kDone;
 }
 

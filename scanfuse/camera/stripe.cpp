@@ -26,17 +26,26 @@ int block_for(std::span<const Vector2d> polygon) {
   return std::clamp(block, 2, 4);
 }
 
-std::vector<int> channels_of(const Image& image, LaserChannel channel) {
-  if (image.channels == 1) return {0};
-  switch (channel) {
+/// Where to look for the stripe: each channel, or each colour of a mosaic, since a laser of one
+/// colour hardly shows in the mean of all.
+std::vector<Lattice> lattices_to_search(const Image& image, std::span<const Vector2d> polygon,
+                                        const StripeOptions& options) {
+  if (image.channels == 1) {
+    const bool raw = options.mosaic == Mosaic::kDetect ? shows_mosaic(image, polygon)
+                                                       : options.mosaic != Mosaic::kNone;
+    if (!raw) return {Lattice{}};
+    const auto four = lattices_of_mosaic();
+    return {four.begin(), four.end()};
+  }
+  switch (options.channel) {
     case LaserChannel::kRed:
-      return {0};
+      return {Lattice{0}};
     case LaserChannel::kGreen:
-      return {1};
+      return {Lattice{1}};
     case LaserChannel::kBlue:
-      return {2};
+      return {Lattice{2}};
     default:
-      return {0, 1, 2};
+      return {Lattice{0}, Lattice{1}, Lattice{2}};
   }
 }
 
@@ -45,14 +54,14 @@ struct Found {
   int channel = 0;
 };
 
-/// The stripe in the channel where it stands out most.
+/// The stripe in the channel, or colour of a mosaic, where it stands out most.
 std::optional<Found> search(const Image& on, const Image* off, std::span<const Vector2d> polygon,
                             const StripeOptions& options) {
   std::optional<Found> best;
-  for (const int channel : channels_of(on, options.channel)) {
-    const auto plane = coarse_plane(on, off, channel, block_for(polygon), polygon);
+  for (const Lattice& lattice : lattices_to_search(on, polygon, options)) {
+    const auto plane = coarse_plane(on, off, lattice, block_for(polygon), polygon);
     const auto stripe = search_stripe(plane, polygon);
-    if (stripe && (!best || stripe->score > best->stripe.score)) best = {*stripe, channel};
+    if (stripe && (!best || stripe->score > best->stripe.score)) best = {*stripe, lattice.channel};
   }
   return best;
 }

@@ -44,51 +44,75 @@ Box box_around(std::span<const Eigen::Vector2d> polygon, const Image& image) {
           bounded(std::ceil(high.y()) + 1, image.height_px)};
 }
 
-/// Adds `times` one row of pixels to the sums of the blocks that it crosses.
-void add_row(const Image& image, int row, int channel, int left, int block, int times,
+/// Adds `times` one row of a lattice's pixels to the sums of the blocks that it crosses.
+void add_row(const Image& image, int row, int channel, int left, int pitch, int block, int times,
              std::span<int> sums) {
-  const std::size_t step = static_cast<std::size_t>(image.channels);
+  const auto channels = static_cast<std::size_t>(image.channels);
+  const std::size_t step = channels * static_cast<std::size_t>(pitch);
   const std::uint8_t* pixel =
       image.pixels.data() +
       (static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width_px) +
        static_cast<std::size_t>(left)) *
-          step +
+          channels +
       static_cast<std::size_t>(channel);
   for (int& sum : sums) {
     int part = 0;
-    for (int k = 0; k < block; ++k, pixel += step) part += *pixel;
+    for (int k = 0; k < block; k += pitch, pixel += step) part += *pixel;
     sum += times * part;
   }
 }
 
 }  // namespace
 
-CoarsePlane coarse_plane(const Image& on, const Image* off, int channel, int block,
+CoarsePlane coarse_plane(const Image& on, const Image* off, const Lattice& lattice, int block,
                          std::span<const Eigen::Vector2d> polygon_px) {
+  const int channel = lattice.channel, pitch = lattice.pitch;
   const Box box = box_around(polygon_px, on);
   CoarsePlane plane;
   plane.width = std::max(0, (box.right - box.left) / block);
   plane.height = std::max(0, (box.bottom - box.top) / block);
   plane.pitch_px = block;
-  plane.origin_px = Eigen::Vector2d(box.left, box.top).array() + (block - 1) / 2.0;
+  const int left = box.left + lattice.first_column, top = box.top + lattice.first_row;
+  plane.origin_px = Eigen::Vector2d(left, top).array() + (block - pitch) / 2.0;
   plane.values.reserve(static_cast<std::size_t>(plane.width) *
                        static_cast<std::size_t>(plane.height));
   std::vector<int> sums(static_cast<std::size_t>(plane.width));
-  const float share = 0.5F / static_cast<float>(block * block);
+  const float share = 0.5F / static_cast<float>(block / pitch * (block / pitch));
   const bool against = off == nullptr && on.channels == 3;
   for (int r = 0; r < plane.height; ++r) {
     std::fill(sums.begin(), sums.end(), 0);
-    for (int k = 0; k < block; ++k) {
-      const int row = box.top + r * block + k;
-      add_row(on, row, channel, box.left, block, 2, sums);
-      if (off != nullptr) add_row(*off, row, channel, box.left, block, -2, sums);
+    for (int k = 0; k < block; k += pitch) {
+      const int row = top + r * block + k;
+      add_row(on, row, channel, left, pitch, block, 2, sums);
+      if (off != nullptr) add_row(*off, row, channel, left, pitch, block, -2, sums);
       for (int other = 0; against && other < 3; ++other) {
-        if (other != channel) add_row(on, row, other, box.left, block, -1, sums);
+        if (other != channel) add_row(on, row, other, left, pitch, block, -1, sums);
       }
     }
     for (const int sum : sums) plane.values.push_back(share * static_cast<float>(sum));
   }
   return plane;
+}
+
+std::array<Lattice, 4> lattices_of_mosaic() {
+  return {Lattice{0, 2, 0, 0}, Lattice{0, 2, 1, 0}, Lattice{0, 2, 0, 1}, Lattice{0, 2, 1, 1}};
+}
+
+bool shows_mosaic(const Image& image, std::span<const Eigen::Vector2d> polygon_px) {
+  if (image.channels != 1) return false;
+  constexpr int kSkip = 3;  // every so many pairs of rows will do
+  constexpr double kApart = 1.08;
+  const Box box = box_around(polygon_px, image);
+  std::array<double, 4> sums{};
+  for (int row = box.top; row + 1 < box.bottom; row += 2 * kSkip) {
+    for (int column = box.left; column + 1 < box.right; column += 2) {
+      for (int k = 0; k < 4; ++k) {
+        sums[static_cast<std::size_t>(k)] += image.at(column + k % 2, row + k / 2, 0);
+      }
+    }
+  }
+  const auto [least, most] = std::ranges::minmax_element(sums);
+  return *most > kApart * *least;
 }
 
 bool is_inside(std::span<const Eigen::Vector2d> polygon, const Eigen::Vector2d& p) {

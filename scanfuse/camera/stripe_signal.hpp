@@ -66,10 +66,17 @@ struct CoarsePlane {
   }
 };
 
-/// The part of an image around a polygon, in blocks of `block` x `block` pixels. Of a grey image
-/// all pixels count, so a block of even size holds every colour of a mosaic.
-[[nodiscard]] CoarsePlane coarse_plane(const Image& on, const Image* off, int channel, int block,
-                                       std::span<const Eigen::Vector2d> polygon_px);
+/// The part of an image around a polygon, in blocks of `block` x `block` pixels, an even number. Of
+/// each block those pixels count that belong to the lattice.
+[[nodiscard]] CoarsePlane coarse_plane(const Image& on, const Image* off, const Lattice& lattice,
+                                       int block, std::span<const Eigen::Vector2d> polygon_px);
+
+/// The four lattices of 2 x 2 pixels, row by row.
+[[nodiscard]] std::array<Lattice, 4> lattices_of_mosaic();
+
+/// Whether the four lattices of a one-channel image differ in brightness: a colour mosaic, whose
+/// filters let light of different colours through.
+[[nodiscard]] bool shows_mosaic(const Image& image, std::span<const Eigen::Vector2d> polygon_px);
 
 /// Whether a point lies inside a convex polygon, whichever way round that is given.
 [[nodiscard]] bool is_inside(std::span<const Eigen::Vector2d> polygon, const Eigen::Vector2d& p);

@@ -57,7 +57,7 @@ Neighbourhood look_around(const BeamGrid& grid, const PlaneFit& plane,
   near.first_beam = first;
   near.width = last - first + 1;
   near.cells.resize(static_cast<std::size_t>(near.width) * static_cast<std::size_t>(near.profiles));
-  near.tolerance_m = std::max(kOnSigmas * plane.rms_m, kLeastTolerance_m);
+  near.tolerance_m = on_tolerance_m(plane);
   for (int p = 0; p < near.profiles; ++p) {
     for (int b = first; b <= last; ++b) {
       auto& cell = near.cells[static_cast<std::size_t>(p) * static_cast<std::size_t>(near.width) +
@@ -194,6 +194,10 @@ void find_backing(std::vector<EdgeBeam>& beams, const Eigen::Vector2d& around) {
 
 }  // namespace
 
+double on_tolerance_m(const PlaneFit& plane) {
+  return std::max(kOnSigmas * plane.rms_m, kLeastTolerance_m);
+}
+
 std::vector<EdgeBeam> edge_beams(const BeamGrid& grid, const PlaneFit& plane,
                                  const Eigen::Vector2d& around, double reach_m) {
   const Neighbourhood near = look_around(grid, plane, around, reach_m);
@@ -205,6 +209,10 @@ std::vector<EdgeBeam> edge_beams(const BeamGrid& grid, const PlaneFit& plane,
       if (cell == nullptr || (cell->place - around).norm() > reach_m) continue;
       EdgeBeam beam;
       beam.place_m = cell->place;
+      beam.behind_m = cell->off_m;
+      if (const CloudPoint* point = grid.point(p, near.first_beam + b)) {
+        beam.intensity = point->intensity;
+      }
       if (!cell->on) {
         const auto state = state_off(grid, near, {p, b}, around, background);
         if (!state) continue;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "scanfuse/calibrate/cloud/beam_grid.hpp"
@@ -18,7 +19,12 @@ struct EdgeBeam {
   Eigen::Vector2d place_m = Eigen::Vector2d::Zero();  ///< where it meets the target's plane
   BeamState state = BeamState::kOn;
   bool backed = true;  ///< what it meets outside the target is a background, not nothing
+  double intensity = std::numeric_limits<double>::quiet_NaN();  ///< NaN: nothing came back
+  double behind_m = std::numeric_limits<double>::quiet_NaN();   ///< its return, behind the plane
 };
+
+/// A return further from the target's plane, along its ray, is not on the target.
+[[nodiscard]] double on_tolerance_m(const PlaneFit& plane);
 
 /// Every beam that meets the plane within `reach_m` of `around` (in the plane), in order of profile
 /// and beam. Beams without a return inside the target are passed over.

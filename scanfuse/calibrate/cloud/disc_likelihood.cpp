@@ -49,10 +49,16 @@ struct Outcome {
   double chance, d, w;
 };
 
-void add_beam(Likelihood& sum, const EdgeBeam& beam, const DiscEdge& edge, double s) {
+double out_of(const EdgeBeam& beam, const DiscEdge& edge, const EdgeShift& shift) {
+  const double distance = std::max((beam.place_m - edge.centre_m).norm(), 1e-9);
+  return distance - edge.radius_m - (beam.backed ? shift.backed_m : shift.unbacked_m);
+}
+
+void add_beam(Likelihood& sum, const EdgeBeam& beam, const DiscEdge& edge, double s,
+              const EdgeShift& shift) {
   const Eigen::Vector2d from = beam.place_m - edge.centre_m;
   const double distance = std::max(from.norm(), 1e-9);
-  const double d = distance - edge.radius_m, w = beam.backed ? edge.spot_m : 0;
+  const double d = out_of(beam, edge, shift), w = beam.backed ? edge.spot_m : 0;
   if (std::abs(d) > w + 8 * s && (d > 0) != (beam.state == BeamState::kOn)) return;
   const Chances c = chances_at(d, w, s);
   const double with_w = beam.backed ? 1 : 0;
@@ -77,9 +83,9 @@ void add_beam(Likelihood& sum, const EdgeBeam& beam, const DiscEdge& edge, doubl
 }
 
 Likelihood likelihood_of(std::span<const EdgeBeam> beams, const DiscEdge& edge, double s,
-                         double spacing_m) {
+                         double spacing_m, const EdgeShift& shift) {
   Likelihood sum;
-  for (const EdgeBeam& beam : beams) add_beam(sum, beam, edge, s);
+  for (const EdgeBeam& beam : beams) add_beam(sum, beam, edge, s, shift);
   const double sigma = kSpotPrior * spacing_m;
   sum.value -= 0.5 * edge.spot_m * edge.spot_m / (sigma * sigma);
   sum.gradient[3] -= edge.spot_m / (sigma * sigma);
@@ -96,8 +102,9 @@ DiscEdge moved(const DiscEdge& edge, const Eigen::Vector4d& step) {
 }
 
 /// Fisher scoring with damping at one softness.
-void climb(std::span<const EdgeBeam> beams, DiscEdge& edge, double s, double spacing_m) {
-  Likelihood at = likelihood_of(beams, edge, s, spacing_m);
+void climb(std::span<const EdgeBeam> beams, DiscEdge& edge, double s, double spacing_m,
+           const EdgeShift& shift) {
+  Likelihood at = likelihood_of(beams, edge, s, spacing_m, shift);
   double damping = 1e-3;
   edge.converged = false;
   for (int k = 0; k < kMostSteps; ++k) {
@@ -107,7 +114,7 @@ void climb(std::span<const EdgeBeam> beams, DiscEdge& edge, double s, double spa
     Eigen::Vector4d step = damped.ldlt().solve(at.gradient);
     step *= std::min(1.0, spacing_m / std::max(step.norm(), 1e-12));
     const DiscEdge next = moved(edge, step);
-    const Likelihood there = likelihood_of(beams, next, s, spacing_m);
+    const Likelihood there = likelihood_of(beams, next, s, spacing_m, shift);
     if (there.value >= at.value) {
       edge = next;
       at = there;
@@ -126,14 +133,14 @@ void climb(std::span<const EdgeBeam> beams, DiscEdge& edge, double s, double spa
 
 }  // namespace
 
-DiscEdge fit_disc_edge(std::span<const EdgeBeam> beams, const DiscEdge& start, double spacing_m) {
+DiscEdge fit_disc_edge(std::span<const EdgeBeam> beams, const DiscEdge& start, double spacing_m,
+                       const EdgeShift& shift) {
   DiscEdge edge = start;
-  for (const double share : kSoftness) climb(beams, edge, share * spacing_m, spacing_m);
+  for (const double share : kSoftness) climb(beams, edge, share * spacing_m, spacing_m, shift);
   int unbacked = 0;
   edge.edge_beams = 0;
   for (const EdgeBeam& beam : beams) {
-    const double d = (beam.place_m - edge.centre_m).norm() - edge.radius_m;
-    if (std::abs(d) > 2 * edge.spot_m + spacing_m) continue;
+    if (std::abs(out_of(beam, edge, shift)) > 2 * edge.spot_m + spacing_m) continue;
     ++edge.edge_beams;
     unbacked += beam.backed ? 0 : 1;
   }

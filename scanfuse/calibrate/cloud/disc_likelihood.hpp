@@ -19,9 +19,19 @@ struct DiscEdge {
   bool converged = false;
 };
 
+/// How far beyond the edge beams change from the target to what is behind it; edge_light.hpp.
+struct EdgeShift {
+  double backed_m = 0;
+  double unbacked_m = 0;  ///< where nothing is behind
+  double sigma_m = 0;
+  double spot_m = 0;          ///< diameter of the spot as intensities show it; 0: they do not
+  bool backed_known = false;  ///< from intensities
+  bool unbacked_known = false;
+};
+
 /// The most likely circle given which beams met the disc, were mixed, or met the background. With
 /// d the signed distance of a beam from the edge (negative inside), w the half width of the spot's
-/// band and s the softness:
+/// band and s the softness, d being less by the shift where one is given:
 ///
 ///   P(on) = F((-d - w) / s),  P(beyond) = F((d - w) / s),  P(mixed) = the rest      F: normal cdf
 ///
@@ -30,6 +40,6 @@ struct DiscEdge {
 /// something else do not steer it. `start` gives centre and radius to a few millimetres;
 /// `spacing_m` is the distance of neighbouring beams in the plane.
 [[nodiscard]] DiscEdge fit_disc_edge(std::span<const EdgeBeam> beams, const DiscEdge& start,
-                                     double spacing_m);
+                                     double spacing_m, const EdgeShift& shift = {});
 
 }  // namespace scanfuse::calibrate

@@ -47,7 +47,7 @@ struct MeasureOptions {
     return std::tuple{
         Field{"spot_m", &O::spot_m, 0.0, 1.0,
               "diameter of the laser's spot on the target, where it is known; it counts where "
-              "nothing stands behind the target"},
+              "intensities do not show it"},
         Field{"thickness_m", &O::thickness_m, 1e-5, 1.0,
               "points within this of a plane are its first guess"},
         Field{"min_points", &O::min_points, 8, 1000000, "fewer points are not measured"},
@@ -69,8 +69,9 @@ struct DiscMeasure {
   PlaneMeasure plane;
   Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();
   Measured diameter_m;
-  double centre_sigma_m = 0;        ///< in the plane, each way, from the points
-  double spot_m = 0;                ///< width of the band of mixed beams, as found
+  double centre_sigma_m = 0;  ///< in the plane, each way, from the points
+  double spot_m = 0;          ///< diameter of the spot by intensities, or width of the mixed band
+  double edge_shift_m = 0;    ///< beyond the edge, where beams change sides; taken off
   double outermost_diameter_m = 0;  ///< circle through the outermost points, for comparison only
   double area_diameter_m = 0;       ///< from the number of points, for comparison
   int edge_beams = 0;

@@ -5,7 +5,7 @@
 #include <functional>
 #include <map>
 
-#include "scanfuse/calibrate/cloud/disc_likelihood.hpp"
+#include "scanfuse/calibrate/cloud/edge_light.hpp"
 #include "scanfuse/calibrate/cloud/surfaces.hpp"
 
 namespace scanfuse::calibrate {
@@ -141,24 +141,30 @@ double beam_spacing(const Cloud& cloud, const FlatPart& part) {
 struct FittedDisc {
   FlatPart part;
   DiscEdge edge;
+  EdgeShift shift;
 };
 
-std::optional<FittedDisc> fit_edge(const Cloud& cloud, FlatPart part, const DiscEdge& start) {
+std::optional<FittedDisc> fit_edge(const Cloud& cloud, FlatPart part, const DiscEdge& start,
+                                   const MeasureOptions& options) {
   const double spacing = beam_spacing(cloud, part);
   if (!(spacing > 0)) return std::nullopt;
   const BeamGrid grid(cloud);
   const double reach = start.radius_m * 1.3 + 6 * spacing;
+  const EdgeLightOptions light{spacing, on_tolerance_m(part.plane), options.spot_m};
   DiscEdge edge = start;
+  EdgeShift shift;
   for (int round = 0; round < 2; ++round) {  // what is outward of a beam depends on the centre
     const auto beams = edge_beams(grid, part.plane, edge.centre_m, reach);
     edge = fit_disc_edge(beams, edge, spacing);
+    shift = edge_shift(beams, edge, light);
+    edge = fit_disc_edge(beams, edge, spacing, shift);
   }
   if (!std::isfinite(edge.radius_m) || !(edge.radius_m > 0)) return std::nullopt;
-  return FittedDisc{std::move(part), edge};
+  return FittedDisc{std::move(part), edge, shift};
 }
 
 /// The diameter's part that the plane's slopes add: beams meet a tilted plane elsewhere.
-double slope_sigma(const Cloud& cloud, const FittedDisc& disc) {
+double slope_sigma(const Cloud& cloud, const FittedDisc& disc, const MeasureOptions& options) {
   double square = 0;
   for (int k = 1; k < 3; ++k) {
     const double sigma = std::sqrt(disc.part.plane.covariance(k, k));
@@ -168,7 +174,7 @@ double slope_sigma(const Cloud& cloud, const FittedDisc& disc) {
     const Eigen::Quaterniond turn =
         Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), slopes);
     tilted.plane.axes = disc.part.plane.axes * turn.toRotationMatrix();
-    const auto there = fit_edge(cloud, std::move(tilted), disc.edge);
+    const auto there = fit_edge(cloud, std::move(tilted), disc.edge, options);
     if (!there) continue;
     const double change = 2 * (there->edge.radius_m - disc.edge.radius_m);
     square += change * change;
@@ -180,14 +186,17 @@ void fill_edge(const Cloud& cloud, const FittedDisc& disc, const MeasureOptions&
                DiscMeasure& measure) {
   const DiscEdge& edge = disc.edge;
   measure.centre_m = disc.part.plane.raised(edge.centre_m);
-  measure.spot_m = 2 * edge.spot_m;
+  measure.spot_m = disc.shift.spot_m > 0 ? disc.shift.spot_m : 2 * edge.spot_m;
+  measure.edge_shift_m = edge.unbacked_share > 0.5 ? disc.shift.unbacked_m : disc.shift.backed_m;
   measure.edge_beams = edge.edge_beams;
   measure.unbacked_share = edge.unbacked_share;
   measure.centre_sigma_m = std::sqrt(edge.covariance.topLeftCorner<2, 2>().trace() / 2);
   measure.diameter_m.value = 2 * edge.radius_m;
-  const double doubt = edge.unbacked_share * kSpotDoubt * options.spot_m;
+  const double unknown = disc.shift.unbacked_known ? 0 : edge.unbacked_share;
+  const double doubt = unknown * kSpotDoubt * options.spot_m;
   measure.diameter_m.sigma_points =
-      std::hypot(2 * std::sqrt(edge.covariance(2, 2)), slope_sigma(cloud, disc), doubt);
+      std::hypot(std::hypot(2 * std::sqrt(edge.covariance(2, 2)), 2 * disc.shift.sigma_m),
+                 slope_sigma(cloud, disc, options), doubt);
 }
 
 }  // namespace
@@ -215,7 +224,7 @@ Result<DiscMeasure> measure_disc(const Cloud& cloud, const CropBox& box,
   DiscEdge start;
   start.centre_m = guess.centre_m;
   start.radius_m = guess.radius_m;
-  const auto disc = fit_edge(cloud, std::move(*part), start);
+  const auto disc = fit_edge(cloud, std::move(*part), start, options);
   if (!disc) {
     return fail(Error::Code::kOutOfRange,
                 "the disc's edge could not be fitted: fewer than two beams on each profile");
@@ -225,7 +234,7 @@ Result<DiscMeasure> measure_disc(const Cloud& cloud, const CropBox& box,
     std::vector<double> values;
     auto there = moved_part(moved, disc->part);
     if (!there) return values;
-    const auto fitted = fit_edge(moved, std::move(*there), disc->edge);
+    const auto fitted = fit_edge(moved, std::move(*there), disc->edge, options);
     if (fitted) values.push_back(2 * fitted->edge.radius_m);
     return values;
   });
