@@ -153,8 +153,9 @@ void add_info(Tool& tool) {
   auto options = std::make_shared<InfoOptions>();
   CLI::App* command = tool.app->add_subcommand("info", "List what a recording holds");
   command->add_option("RECORDING", options->input, "A recording: a file or a folder")->required();
-  command->add_option("--sensor", options->sensor,
-                      "Device that speaks in a capture (.pcap), if its ports do not tell: sick, ...");
+  command->add_option(
+      "--sensor", options->sensor,
+      "Device that speaks in a capture (.pcap), if its ports do not tell: sick, ...");
   command->add_flag("--json", options->json, "One JSON object on stdout");
   command->add_flag("--check", options->check, "Read all of it, also where it has an index");
   command->footer("Example: scanfuse info drive.bag --json");
