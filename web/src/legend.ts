@@ -22,6 +22,7 @@ export class Legend {
   }
 
   private pointsText(frame: Frame | null): string {
+    if (frame && frame.rays.length > 0) return raysText(frame);
     const count = (frame?.clusters.length ?? 0).toLocaleString("en");
     const by = this.settings.colourBy;
     return by === "segment"
@@ -52,4 +53,11 @@ function swatch(colour: string, text: string): HTMLElement {
   const mark = h("i", { class: "swatch" });
   mark.style.backgroundColor = colour;
   return h("span", {}, mark, text);
+}
+
+/** Of sensors that tell directions only. */
+function raysText(frame: Frame): string {
+  const aimed = frame.rays.filter((ray) => ray.target >= 0).length;
+  const ends = frame.tracks.length === 0 ? "positions found, each with its 95 % ellipse" : "targets";
+  return `${frame.rays.length} bearings: ${aimed} blue to ${ends}, ${frame.rays.length - aimed} grey to none`;
 }
