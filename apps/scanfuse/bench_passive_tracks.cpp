@@ -58,7 +58,8 @@ void add_nees(PassiveTrackTrial& trial, const triangulate::PassiveStep& step,
   }
 }
 
-PassiveTrackTrial run_trial(const PassiveRecording& recording, const PassiveTrackOptions& options) {
+PassiveTrackTrial run_track_trial(const PassiveRecording& recording,
+                                  const PassiveTrackOptions& options) {
   triangulate::AssociationOptions association;
   association.posterior = false;
   triangulate::PassiveTracker tracker(recording.scene, options, association);
@@ -84,7 +85,7 @@ std::vector<PassiveTrackTrial> run_trials(const PassiveOptions& scene,
   std::vector<PassiveTrackTrial> trials(static_cast<std::size_t>(seeds.count));
   parallel_for(trials.size(), threads, [&](std::size_t k) {
     const auto recording = simulate::simulate_passive(scene, seeds.first + k);
-    if (recording) trials[k] = run_trial(*recording, options);
+    if (recording) trials[k] = run_track_trial(*recording, options);
   });
   return trials;
 }

@@ -5,9 +5,10 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <opencv2/calib3d.hpp>
 #include <optional>
 #include <utility>
+
+#include "scanfuse/camera/opencv_calib3d.hpp"
 
 namespace scanfuse::camera {
 namespace {
@@ -99,7 +100,7 @@ Normal reduced_normal(const Views& views, const Solution& solution, std::size_t 
   std::vector<cv::Point2f> projected;
   cv::Mat jacobian;  // columns: rotation 3, translation 3, fx fy cx cy, k1 k2 p1 p2 k3
   cv::projectPoints(views.board[view], solution.turns[view], solution.shifts[view], solution.K,
-                    solution.distortion, projected, jacobian);
+                    solution.distortion, projected, jacobian, 0);
   const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> J(
       jacobian.ptr<double>(), jacobian.rows, jacobian.cols);
   const Eigen::MatrixXd pose = J.leftCols(6);

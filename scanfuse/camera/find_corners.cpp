@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 #include <utility>
 #include <vector>
 
 #include "scanfuse/camera/grid.hpp"
+#include "scanfuse/camera/opencv_calib3d.hpp"
 
 namespace scanfuse::camera {
 namespace {
@@ -122,7 +122,7 @@ std::optional<DetectedBoard> find_corners(const Image& grey, const BoardSpec& sp
     if (auto board = finished(view, spec, corners, options)) return board;
   }
   constexpr int kFlags = cv::CALIB_CB_NORMALIZE_IMAGE | cv::CALIB_CB_ACCURACY;
-  if (!cv::findChessboardCornersSB(view, pattern, corners, kFlags)) return {};
+  if (!cv::findChessboardCornersSB(view, pattern, corners, kFlags, cv::noArray())) return {};
   auto board = finished(view, spec, corners, options);
   if (board) board->by_fallback = true;
   return board;

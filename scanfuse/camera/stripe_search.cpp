@@ -16,6 +16,7 @@ constexpr double kNear_cells = 1.2;  ///< from the line
 constexpr double kMostTurn = 0.90;   ///< cosine between a ridge's normal and the line's
 constexpr std::size_t kMostPoints = 1500;
 constexpr int kTrials = 600;
+constexpr std::size_t kSeeds = 300;  ///< the strongest points, of which every second pair is drawn
 constexpr int kFewestPoints = 6;
 
 struct RidgePoint {
@@ -88,15 +89,14 @@ std::optional<RidgePoint> ridge_at(const Derivatives& d, std::size_t i) {
   const Vector2d n(std::cos(angle), std::sin(angle));
   const double t = -(n.x() * d.x[i] + n.y() * d.y[i]) / bend;
   if (std::abs(t * n.x()) > 0.6 || std::abs(t * n.y()) > 0.6) return {};
-  return RidgePoint{t * n, n, std::sqrt(-bend)};
+  return RidgePoint{t * n, n, -bend};
 }
 
-/// The strongest ridge points; of equal ones the first.
+/// The strongest ridge points, strongest first; of equal ones the first.
 std::vector<RidgePoint> strongest(std::vector<RidgePoint> points) {
-  if (points.size() <= kMostPoints) return points;
   std::stable_sort(points.begin(), points.end(),
                    [](const auto& a, const auto& b) { return a.weight > b.weight; });
-  points.resize(kMostPoints);
+  points.resize(std::min(points.size(), kMostPoints));
   return points;
 }
 
@@ -135,8 +135,9 @@ std::pair<Line, double> best_line(const std::vector<RidgePoint>& points) {
   RandomStream random(0);
   std::pair<Line, double> best{{}, 0};
   for (int trial = 0; trial < kTrials; ++trial) {
-    const RidgePoint& a = points[random.below(points.size())];
-    const RidgePoint& b = points[random.below(points.size())];
+    const std::size_t among = trial % 2 == 0 ? std::min(kSeeds, points.size()) : points.size();
+    const RidgePoint& a = points[random.below(among)];
+    const RidgePoint& b = points[random.below(among)];
     const Vector2d step = b.at - a.at;
     if (step.norm() < 4) continue;
     const Line line{a.at, Vector2d(-step.y(), step.x()).normalized()};

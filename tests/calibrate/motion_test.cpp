@@ -13,7 +13,7 @@ std::vector<TurnedPose> poses_along(const Rig& rig, const std::vector<double>& a
                                     double noise_rad = 0, double noise_m = 0) {
   std::vector<TurnedPose> poses;
   RandomStream random(3);
-  const auto draw = [&](double sigma) {
+  const auto draw = [&](double sigma) -> Eigen::Vector3d {
     return sigma * Eigen::Vector3d(random.normal(), random.normal(), random.normal());
   };
   for (const double psi : angles) {

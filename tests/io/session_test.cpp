@@ -31,7 +31,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return at == text.npos ? text : text.replace(at, from.size(), to);
 }
 
-std::string fault_of(const std::string& text) {
+std::string session_fault(const std::string& text) {
   const auto read = parse_session_file(text, "session.toml");
   EXPECT_FALSE(read);
   return read ? "" : read.error().message;
@@ -60,19 +60,20 @@ TEST(SessionFile, WhatIsWrittenReadsBack) {
 }
 
 TEST(SessionFile, FaultsNameTheirPlaceAndTheRemedy) {
-  EXPECT_THAT(fault_of(replaced(kSession, "rows = 2", "rowz = 2")),
+  EXPECT_THAT(session_fault(replaced(kSession, "rows = 2", "rowz = 2")),
               AllOf(HasSubstr("session.toml:11:"), HasSubstr("'rowz'"), HasSubstr("'rows'")));
-  EXPECT_THAT(fault_of(replaced(kSession, "square_mm = 20", "square_mm = -3")),
+  EXPECT_THAT(session_fault(replaced(kSession, "square_mm = 20", "square_mm = -3")),
               HasSubstr("square_mm needs a number"));
-  EXPECT_THAT(fault_of(replaced(kSession, "\"mm\"", "\"inch\"")),
+  EXPECT_THAT(session_fault(replaced(kSession, "\"mm\"", "\"inch\"")),
               AllOf(HasSubstr("session.toml:23:"), HasSubstr("none of: m, mm")));
   EXPECT_THAT(
-      fault_of(replaced(kSession, "[[board]]\nrows = 2\ncolumns = 2\nsquare_m = 0.02\n", "")),
+      session_fault(replaced(kSession, "[[board]]\nrows = 2\ncolumns = 2\nsquare_m = 0.02\n", "")),
       HasSubstr("a V has two"));
-  EXPECT_THAT(fault_of(replaced(kSession, "first_deg = -1\n", "angles_deg = [1, 2]\n")),
+  EXPECT_THAT(session_fault(replaced(kSession, "first_deg = -1\n", "angles_deg = [1, 2]\n")),
               HasSubstr("angles_deg or first_deg"));
-  EXPECT_THAT(fault_of(replaced(kSession, "fx_px = 2757.4\n", "")), HasSubstr("fx_px is missing"));
-  EXPECT_THAT(fault_of("[camera\n"), HasSubstr("session.toml:1:"));
+  EXPECT_THAT(session_fault(replaced(kSession, "fx_px = 2757.4\n", "")),
+              HasSubstr("fx_px is missing"));
+  EXPECT_THAT(session_fault("[camera\n"), HasSubstr("session.toml:1:"));
   EXPECT_FALSE(parse_session_file("lidar = 3\n", "x"));
 }
 

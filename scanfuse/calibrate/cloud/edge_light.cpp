@@ -13,12 +13,12 @@ namespace scanfuse::calibrate {
 namespace {
 
 /// Beams further in or out than these shares of the radius show surfaces without an edge.
-constexpr double kWellInside = 0.25;
-constexpr double kWellOutside = 0.15;
+constexpr double kInnerShare = 0.25;
+constexpr double kOuterShare = 0.15;
 constexpr double kNear_spacings = 5;
 constexpr std::size_t kFewestNear = 30;
 constexpr double kLeastNoise = 0.02;  ///< of an intensity, as a share
-constexpr int kMostSteps = 40;
+constexpr int kMostFitSteps = 40;
 /// Squares without an edge over those with it, for the edge to be believed.
 constexpr double kBetterBy = 2;
 
@@ -57,9 +57,9 @@ Plateaus plateaus_of(std::span<const EdgeBeam> beams, const DiscEdge& edge) {
   for (const EdgeBeam& beam : beams) {
     if (!std::isfinite(beam.intensity)) continue;
     const double out = out_of(beam, edge);
-    if (beam.state == BeamState::kOn && out < -kWellInside * edge.radius_m) {
+    if (beam.state == BeamState::kOn && out < -kInnerShare * edge.radius_m) {
       on.push_back(beam.intensity);
-    } else if (beam.state == BeamState::kBeyond && out > kWellOutside * edge.radius_m) {
+    } else if (beam.state == BeamState::kBeyond && out > kOuterShare * edge.radius_m) {
       beyond.push_back(beam.intensity);
     }
   }
@@ -131,7 +131,7 @@ LightFit fit_light(const std::vector<LitBeam>& lit, double spacing_m) {
   LightFit fit = best_of_grid(lit, spacing_m);
   double damping = 1e-3;
   Normals at = normals_of(lit, fit.out_m, fit.spot_radius_m);
-  for (int k = 0; k < kMostSteps && damping < 1e8; ++k) {
+  for (int k = 0; k < kMostFitSteps && damping < 1e8; ++k) {
     Eigen::Matrix2d damped = at.information;
     damped.diagonal() *= 1 + damping;
     damped.diagonal().array() += 1e-9 / (spacing_m * spacing_m);

@@ -11,8 +11,9 @@
 namespace scanfuse::calibrate {
 namespace {
 
-/// A disc's points reach no further than this times the radius that their spread gives.
-constexpr double kRoundest = 1.25;
+/// A disc's points reach no further than this times the radius that their spread gives; those of a
+/// square reach 1.22 times as far.
+constexpr double kRoundest = 1.12;
 constexpr double kLeastAspect = 0.6;
 constexpr std::size_t kMostSurfaces = 50;
 /// Where nothing stands behind, the edge lies within the spot by this share of its radius.

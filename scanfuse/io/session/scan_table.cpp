@@ -66,7 +66,7 @@ Result<void> check_units(const std::vector<RawBeam>& beams, const std::string& n
   std::ranges::nth_element(ranges, middle);
   if (in_reach(*middle * lidar.range_unit_m, lidar)) return {};
   for (const auto& [unit, metres] :
-       {std::pair{"m", 1.0}, {"cm", 1e-2}, {"mm", 1e-3}, {"0.1mm", 1e-4}}) {
+       {std::pair{"m", 1.0}, {"mm", 1e-3}, {"0.1mm", 1e-4}, {"cm", 1e-2}}) {
     if (*middle * metres < 0.05 || *middle * metres > 50 || !in_reach(*middle * metres, lidar)) {
       continue;
     }
