@@ -1,5 +1,7 @@
 #include "scanfuse/io/ros/encode_results.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 
