@@ -106,13 +106,14 @@ Worst worst_line(const std::vector<JointRow>& rows, const JointNoise& noise) {
   return worst;
 }
 
-/// Takes out the samples whose worst line contradicts the rest. True where there were any.
-bool drop_outliers(Refined& out) {
+/// Takes out the samples whose worst line contradicts the rest by more than the noise allows. True
+/// where there were any.
+bool drop_outliers(const JointNoise& noise, Refined& out) {
   std::vector<Sample> kept;
   JointState state = out.state;
   state.correction_rad.clear();
   for (std::size_t i = 0; i < out.samples.size(); ++i) {
-    const Worst worst = worst_line(out.system.samples[i], out.noise);
+    const Worst worst = worst_line(out.system.samples[i], noise);
     if (worst.chi2 > kOutlierChi2) {
       out.left_out.emplace_back(out.samples[i].index, worst.reason);
     } else {
@@ -206,8 +207,11 @@ void mark_squares(const std::array<BoardSpec, 2>& specs, const JointState& state
       const Pose3 board_from_lidar = state.camera_from_board[b].inverse() * lidar;
       std::vector<double> marks;
       for (const auto& r : samples[i].returns.on_board[b]) {
-        const Vector3d at = board_from_lidar *
-                            (r.range_m * Vector3d(std::cos(r.angle_rad), std::sin(r.angle_rad), 0));
+        // Where the ray meets the board: an error of the range would move the place along the line.
+        const Vector3d ray =
+            board_from_lidar.rotation * Vector3d(std::cos(r.angle_rad), std::sin(r.angle_rad), 0);
+        const Vector3d& from = board_from_lidar.translation_m;
+        const Vector3d at = from - from.z() / ray.z() * ray;
         const double column = std::floor(at.x() / specs[b].square_m);
         const double row = std::floor(at.y() / specs[b].square_m);
         const bool outside =
@@ -248,11 +252,12 @@ Result<Refined> refine(const TurntableFeatures& features, const Prepared& prepar
     coarse_effects(out.system, out.noise);
     step(features.camera, true, out);
     coarse_effects(out.system, out.noise);
-    if (!drop_outliers(out)) break;
+    if (!drop_outliers(out.noise, out)) break;
     if (out.samples.size() < 3) break;
   }
   // Then at the noise that the data show.
   for (int round = 0; round < 4 && out.samples.size() >= 3; ++round) {
+    mark_squares(features.boards, out.state, out.samples);  // where they stand by now
     measure();
     choose_unknowns(options, out);
     // At the values just decided on; the minimum itself follows.
@@ -262,7 +267,9 @@ Result<Refined> refine(const TurntableFeatures& features, const Prepared& prepar
       out.noise = estimate_effects(out.system, out.noise, out.unknowns);
     }
     step(features.camera, false, out);
-    if (round > 0 && !drop_outliers(out)) break;
+    JointNoise wide = out.noise;  // what lines share is no outlier, even where it is not modelled
+    if (!options.line_effects) coarse_effects(out.system, wide);
+    if (round > 0 && !drop_outliers(wide, out)) break;
   }
   if (out.samples.size() < 3) {
     return fail(Error::Code::kOutOfRange,

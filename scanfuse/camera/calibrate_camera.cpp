@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "scanfuse/camera/opencv_calib3d.hpp"
+#include "scanfuse/camera/opencv_calib3d.inc"
 
 namespace scanfuse::camera {
 namespace {

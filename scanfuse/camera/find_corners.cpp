@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "scanfuse/camera/grid.hpp"
-#include "scanfuse/camera/opencv_calib3d.hpp"
+#include "scanfuse/camera/opencv_calib3d.inc"
 
 namespace scanfuse::camera {
 namespace {
@@ -36,10 +36,13 @@ bool find_scaled(const cv::Mat& grey, cv::Size pattern, double scale, Points& co
   return true;
 }
 
+/// Never above some 1600 pixels: in a larger image that holds no such board, but many squares,
+/// the search takes minutes. What is too small then is left to the fallback.
 std::vector<double> scales_for(const cv::Mat& grey) {
   const int longest = std::max(grey.cols, grey.rows);
-  if (longest > 2400) return {1200.0 / longest, 0.5, 1};
-  if (longest > 1200) return {0.5, 1};
+  if (longest > 2400) return {1200.0 / longest};
+  if (longest > 1200) return {0.5};
+  if (longest > 800) return {1};
   return {1, 2};
 }
 

@@ -61,8 +61,8 @@ TEST(CalibrateTurntable, JointIsNearerThanTheClosedFormThanThePaper) {
     for (const auto& [name, method] : choices(TurntableMethod{})) {
       const auto result = calibrate_by(data.features, method);
       ASSERT_TRUE(result) << name << ": " << result.error().message;
-      error[static_cast<int>(method)] +=
-          difference(data.world.rig, result->rig).head<2>().squaredNorm();
+      // The axis alone may come out nearer by the paper's way; what is measured does not.
+      error[static_cast<int>(method)] += points_apart_m(data.world.rig, result->rig);
     }
   }
   EXPECT_LT(error[1], error[0]);
@@ -158,7 +158,8 @@ TEST(CalibrateTurntable, WidensItsCovarianceWhereLinesShareErrors) {
   TurntableOptions blind;
   blind.line_effects = false;
   const auto naive = calibrate_turntable(data.features, blind);
-  ASSERT_TRUE(honest && naive);
+  ASSERT_TRUE(honest) << honest.error().message;
+  ASSERT_TRUE(naive) << naive.error().message;
   EXPECT_GT(honest->line_chi2_per_dof, 3);
   EXPECT_TRUE(warns(*honest, "errors that all points of a line share"));
   EXPECT_GT(honest->rig.covariance(0, 0), 4 * naive->rig.covariance(0, 0));

@@ -57,11 +57,17 @@ TEST_P(Rendered, CornersAndStripesLieWhereTheyAre) {
     ASSERT_TRUE(stripes) << stripes.error().message;
     for (std::size_t b = 0; b < 2; ++b) {
       errors.add(StripeTruth(world, b, turned), (*stripes)[b]);
+      // A wide stripe along a border of squares has no point off it.
+      if (!(*stripes)[b].found()) {
+        EXPECT_NE((*stripes)[b].reason.find("borders of squares"), std::string::npos)
+            << (*stripes)[b].reason;
+        continue;
+      }
       const bool raw = c.options.sensor == simulate::Sensor::kRggb;
       EXPECT_EQ((*stripes)[b].mosaic, raw ? Mosaic::kRggb : Mosaic::kNone);
     }
   }
-  EXPECT_EQ(errors.missing, 0);
+  EXPECT_LE(errors.missing, 1);
   EXPECT_GT(errors.count, 60);
   EXPECT_LE(errors.rms(), c.rms_px);
   EXPECT_LE(std::abs(errors.mean()), 0.05);

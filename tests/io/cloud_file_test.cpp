@@ -81,7 +81,8 @@ TEST(CloudFile, CutFilesGiveWhatIsThere) {
   ASSERT_TRUE(cut);
   EXPECT_EQ(cut->points.size(), 10u);
   EXPECT_TRUE(diagnostics.any_damage());
-  const auto header = parse_cloud(whole.substr(0, whole.find("end_header")), "cut.ply", diagnostics);
+  const auto header =
+      parse_cloud(whole.substr(0, whole.find("end_header")), "cut.ply", diagnostics);
   ASSERT_FALSE(header);
   EXPECT_THAT(header.error().message, HasSubstr("end_header"));
 }

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "scanfuse/calibrate/cloud/surfaces.hpp"
 
@@ -39,11 +40,34 @@ std::vector<double> distance_values(const PlaneFit& from, const PlaneFit& to) {
 }
 
 /// Edges of a flat part along one way through the beams: midway between the last beam on it and the
-/// next, in the plane.
+/// first beyond it, in the plane.
 struct EdgeMiddle {
   Eigen::Vector2d place_m;
   double gap_m;
 };
+
+constexpr int kMostMixedBeams = 6;
+/// Neighbouring returns of a background differ by no more, beside this share of their ranges.
+constexpr double kLevel_m = 0.01;
+constexpr double kLevelShare = 0.005;
+
+/// How many beams on, along (dp, db), the first shows the background: beams in between met both and
+/// were removed, or lie between. 1 where none comes.
+int beams_to_background(const BeamGrid& grid, int profile, int beam, int dp, int db) {
+  const auto range = [&](int k) -> std::optional<double> {
+    const int p = profile + k * dp;
+    if (p < 0 || p >= grid.profiles()) return std::nullopt;
+    const CloudPoint* point = grid.point(p, beam + k * db);
+    if (point == nullptr) return std::nullopt;
+    return (point->position_m - grid.origin(p)).norm();
+  };
+  for (int k = 1; k <= kMostMixedBeams; ++k) {
+    const auto here = range(k), next = range(k + 1);
+    if (!here || !next) continue;
+    if (std::abs(*here - *next) <= kLevel_m + kLevelShare * *here) return k;
+  }
+  return 1;
+}
 
 std::vector<EdgeMiddle> edge_middles(const Cloud& cloud, const FlatPart& part) {
   const BeamGrid grid(cloud);
@@ -61,7 +85,9 @@ std::vector<EdgeMiddle> edge_middles(const Cloud& cloud, const FlatPart& part) {
       if (p < 0 || p >= grid.profiles() || is_on(p, b)) continue;
       // A hole of one beam is noise, not an edge.
       if (is_on(p + dp, b + db)) continue;
-      const auto beyond = grid.meets(part.plane, p, b);
+      const int on_to = beams_to_background(grid, point.profile, point.beam, dp, db);
+      const auto beyond =
+          grid.meets(part.plane, point.profile + on_to * dp, point.beam + on_to * db);
       const auto inside = grid.meets(part.plane, point.profile, point.beam);
       if (!beyond || !inside) continue;
       const Eigen::Vector2d in = part.plane.flat(*inside), out = part.plane.flat(*beyond);

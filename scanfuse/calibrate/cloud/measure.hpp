@@ -112,8 +112,8 @@ struct SizeMeasure {
                                                        const MeasureOptions& options,
                                                        const std::optional<Rig>& rig);
 
-/// Sides of a flat rectangle: edges midway between the last beam on it and the next one, along
-/// profiles and across them. Needs profiles.
+/// Sides of a flat rectangle: edges midway between the last beam on it and the first that met what
+/// is behind, along profiles and across them. Needs profiles.
 [[nodiscard]] Result<SizeMeasure> measure_size(const Cloud& cloud, const CropBox& box,
                                                const MeasureOptions& options,
                                                const std::optional<Rig>& rig);
