@@ -85,13 +85,11 @@ std::vector<BenchRow> rows_of(const std::string& method, const evaluate::ClassSc
   };
   for (const auto& goal : goals) {
     for (std::size_t i = 0; i < evaluate::ClassScore::kRanges_m.size(); ++i) {
-      const auto to = fmt::format("{} to {:.0f} m ", goal.name, evaluate::ClassScore::kRanges_m[i]);
-      add(to + "precision", score.precision(goal.kind, evaluate::ClassScore::kRanges_m[i]), "",
-          goal.at_least[i], false);
-      add(to + "recall", score.recall(goal.kind, evaluate::ClassScore::kRanges_m[i]), "",
-          goal.at_least[i], false);
-      add(to + "recall, followed for 1 s",
-          score.recall_of_followed(goal.kind, evaluate::ClassScore::kRanges_m[i]), "",
+      const double range_m = evaluate::ClassScore::kRanges_m[i];
+      const auto to = fmt::format("{} to {:.0f} m ", goal.name, range_m);
+      add(to + "precision", score.precision(goal.kind, range_m), "", goal.at_least[i], false);
+      add(to + "recall", score.recall(goal.kind, range_m), "", goal.at_least[i], false);
+      add(to + "recall, followed for 1 s", score.recall_of_followed(goal.kind, range_m), "",
           goal.at_least[i], false);
     }
   }

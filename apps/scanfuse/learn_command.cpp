@@ -77,8 +77,9 @@ void print_text(const LearnOutcome& outcome) {
              outcome.calibration_outlines, outcome.test_outlines,
              outcome.cut_by_time ? " (few recordings: each cut in three by time)" : "");
   fmt::print("{:<12}", "tracks");
-  for (const double range : evaluate::ClassScore::kRanges_m)
+  for (const double range : evaluate::ClassScore::kRanges_m) {
     fmt::print(" to {:.0f} m: prec recall ", range);
+  }
   fmt::print("\n");
   for (const ObjectClass kind : kUsers) {
     fmt::print("{:<12}", to_string(kind));

@@ -49,10 +49,21 @@ RandomStream stream_of_build(std::int64_t id, const RandomStream& random) {
   return RandomStream(copy.next(), static_cast<std::uint64_t>(id));
 }
 
-/// How limbs swing about their joints.
-struct Gait {
-  double joint_m = 0, swing_rad = 0, rate_rad_per_s = 0, phase_rad = 0;
+/// A pair of limbs, left and right of the body's middle, that swing about their joints.
+struct Limbs {
+  Eigen::Vector3d left_joint_m;
+  double length_m = 0, thickness_m = 0, swing_rad = 0, rate_rad_per_s = 0;
+  double right_phase_rad = 0, left_phase_rad = 0;
 };
+
+void add_limbs(Actor& actor, const Limbs& pair, const Surface& surface) {
+  for (const double side : {-1.0, 1.0}) {
+    const Eigen::Vector3d joint = pair.left_joint_m.cwiseProduct(Eigen::Vector3d(1, side, 1));
+    actor.parts.push_back(limb(joint, pair.length_m, pair.thickness_m, pair.swing_rad,
+                               pair.rate_rad_per_s,
+                               side > 0 ? pair.left_phase_rad : pair.right_phase_rad, surface));
+  }
+}
 
 /// Torso and head; a coat or skirt over the thighs and a rucksack as people have them.
 Part trunk(double h, const Surface& cloth, RandomStream& build) {
@@ -74,27 +85,18 @@ Part trunk(double h, const Surface& cloth, RandomStream& build) {
   return part;
 }
 
-void add_legs(Actor& person, const Gait& gait, const Surface& cloth, RandomStream& build) {
-  const double thickness = build.uniform(0.11, 0.19), apart = build.uniform(0.07, 0.14);
-  for (const double side : {-1.0, 1.0}) {
-    const double turn = gait.phase_rad + (side > 0 ? kPi : 0);
-    person.parts.push_back(limb({0, side * apart, gait.joint_m}, gait.joint_m, thickness,
-                                gait.swing_rad, gait.rate_rad_per_s, turn, cloth));
-  }
-}
-
-/// One of five carries a bag or holds them before the body: then they do not swing.
-void add_arms(Actor& person, const Gait& gait, const Surface& cloth, RandomStream& build) {
-  const double thickness = build.uniform(0.08, 0.13), apart = build.uniform(0.2, 0.29);
+/// Breadth and thickness are drawn here. One of five does not swing the arms; of these half carry
+/// a bag.
+void add_arms(Actor& person, Limbs arms, const Surface& cloth, RandomStream& build) {
+  arms.thickness_m = build.uniform(0.08, 0.13);
+  const double apart = build.uniform(0.2, 0.29), shoulder = arms.left_joint_m.z();
+  arms.left_joint_m.y() = apart;
   const bool still = build.chance(0.2);
-  for (const double side : {-1.0, 1.0}) {
-    const double turn = gait.phase_rad + (side > 0 ? 0 : kPi);
-    person.parts.push_back(limb({0, side * apart, gait.joint_m}, 0.46 * gait.joint_m, thickness,
-                                still ? 0 : gait.swing_rad, gait.rate_rad_per_s, turn, cloth));
-  }
+  if (still) arms.swing_rad = 0;
+  add_limbs(person, arms, cloth);
   if (!still || build.chance(0.5)) return;
   Part bag;
-  add_box(bag.mesh, at(0, build.chance(0.5) ? apart : -apart, 0.33 * gait.joint_m + 0.1),
+  add_box(bag.mesh, at(0, build.chance(0.5) ? apart : -apart, 0.33 * shoulder + 0.1),
           {build.uniform(0.25, 0.45), build.uniform(0.1, 0.22), build.uniform(0.25, 0.5)}, cloth);
   person.parts.push_back(std::move(bag));
 }
@@ -216,9 +218,14 @@ Actor make_pedestrian(std::int64_t id, double steps_per_s, RandomStream& random)
   RandomStream build = stream_of_build(id, random);
   Actor person{id, ObjectClass::kPedestrian, 0.5, 0.6, h, ellipse(0.5, 0.6), {}, {}, {}};
   person.parts.push_back(trunk(h, cloth, build));
-  add_legs(person, {0.5 * h, steps_per_s > 0 ? radians(build.uniform(18, 30)) : 0, rate, phase},
-           cloth, build);
-  add_arms(person, {0.82 * h, steps_per_s > 0 ? radians(build.uniform(5, 30)) : 0, rate, phase},
+  const double leg_swing = steps_per_s > 0 ? radians(build.uniform(18, 30)) : 0;
+  const double leg = build.uniform(0.11, 0.19), hip = 0.5 * h;
+  add_limbs(person,
+            {{0, build.uniform(0.07, 0.14), hip}, hip, leg, leg_swing, rate, phase, phase + kPi},
+            cloth);
+  const double arm_swing = steps_per_s > 0 ? radians(build.uniform(5, 30)) : 0;
+  const double shoulder = 0.82 * h;
+  add_arms(person, {{0, 0, shoulder}, 0.46 * shoulder, 0, arm_swing, rate, phase + kPi, phase},
            cloth, build);
   return person;
 }
@@ -237,10 +244,9 @@ Actor make_cyclist(std::int64_t id, RandomStream& random) {
   rider.height_m = add_upper_body(whole.mesh, bicycle, h, cloth, build);
   rider.parts.push_back(std::move(whole));
   const double thickness = build.uniform(0.12, 0.18), apart = build.uniform(0.09, 0.14);
-  for (const double side : {-1.0, 1.0}) {
-    rider.parts.push_back(limb({-0.12, side * apart, 0.92}, 0.75, thickness, radians(28), cadence,
-                               phase + (side > 0 ? kPi : 0), cloth));
-  }
+  add_limbs(rider,
+            {{-0.12, apart, 0.92}, 0.75, thickness, radians(28), cadence, phase, phase + kPi},
+            cloth);
   return rider;
 }
 
