@@ -77,6 +77,13 @@ const std::vector<Benchmark>& benchmarks() {
        "bearings joined into targets: costs, misses and clutter, positions, cameras, the solver",
        SeedRange{1, 2000}, TunedSeeds{},
        [](Request request, const SeedRange& seeds) { return run_bench_passive(request, seeds); }},
+      {"turntable",
+       "a lidar on a turntable from corners, stripes and scans: the paper's method, closed form, "
+       "joint refinement, the Cramer-Rao bound",
+       SeedRange{5001, 40}, TunedSeeds{},
+       [](Request request, const SeedRange& seeds) {
+         return bench_turntable(seeds, request.threads);
+       }},
       {"real", "recordings of real scenes against motion capture and labels, where --data has them",
        SeedRange{}, TunedSeeds{},
        [](Request request, const SeedRange&) { return bench_real(request.real, request.threads); }},

@@ -108,6 +108,11 @@ struct PassiveCurves {
 };
 [[nodiscard]] PassiveCurves bench_passive_curves(const SeedRange& seeds, int threads);
 
+/// Calibration of a lidar on a turntable, simulated, against truth [Liu2023]: errors by
+/// every method beside the Cramer-Rao bound, coverage, errors that lines share, range bias, time;
+/// the same from rendered images, with a disc measured.
+[[nodiscard]] Result<std::vector<BenchRow>> bench_turntable(const SeedRange& seeds, int threads);
+
 /// Where the recordings of `bench real` lie.
 struct RealData {
   std::string folder;      ///< with datmo/ and road/kitti_seq0000/; empty: none given

@@ -40,11 +40,16 @@ void add_convert(Tool& tool);
 void add_track(Tool& tool);
 void add_simulate(Tool& tool);
 void add_simulate_passive(CLI::App& simulate, const Tool& tool);
+void add_simulate_turntable(CLI::App& simulate, const Tool& tool);
 void add_associate(Tool& tool);
 void add_evaluate(Tool& tool);
 void add_bench(Tool& tool);
 void add_config(Tool& tool);
 void add_learn(Tool& tool);
+void add_calibrate(Tool& tool);
+void add_calibrate_camera(CLI::App& calibrate, const Tool& tool);
+void add_assemble(Tool& tool);
+void add_measure(Tool& tool);
 
 /// Prints "scanfuse: error: ..." on stderr and returns kBadInput.
 int report_error(const Error& error);

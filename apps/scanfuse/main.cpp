@@ -75,6 +75,9 @@ int run(int argc, char** argv) {
   add_bench(tool);
   add_config(tool);
   add_learn(tool);
+  add_calibrate(tool);
+  add_assemble(tool);
+  add_measure(tool);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

@@ -218,8 +218,9 @@ void add_simulate(Tool& tool) {
   app->add_option("--set", command->sets, "Change a setting: simulate.NAME=VALUE");
   app->footer(simulate_help());
   add_simulate_passive(*app, tool);
+  add_simulate_turntable(*app, tool);
   app->callback([command, tool, app] {
-    if (app->got_subcommand("passive")) return;
+    if (app->got_subcommand("passive") || app->got_subcommand("turntable")) return;
     if (command->scenario.empty()) throw CLI::RequiredError("scenario");
     if (command->out.empty()) throw CLI::RequiredError("--output");
     *tool.exit_code = run_simulate(*command, *tool.common);

@@ -84,8 +84,8 @@ struct Rig {
 struct CloudPoint {
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
   double intensity = std::numeric_limits<double>::quiet_NaN();
-  int profile = 0;  ///< which scan
-  int beam = 0;     ///< which return of the scan
+  int profile = -1;  ///< which scan; -1: not known
+  int beam = -1;     ///< which beam of the scan, counted by its angle; -1: not known
 };
 
 }  // namespace scanfuse

@@ -17,7 +17,7 @@ static_assert(std::endian::native == std::endian::little, "PCD and KITTI files a
 
 /// The fields that a scan takes; null where the file has none.
 struct PcdScanFields {
-  const PcdField *x, *y, *z, *intensity, *layer, *time;
+  const PcdField *x, *y, *z, *intensity, *layer, *beam, *time;
   double time_unit_s = 1;
 };
 
@@ -32,7 +32,8 @@ PcdScanFields pick_pcd_fields(const PcdHeader& header) {
                        first({"y"}),
                        first({"z"}),
                        first({"intensity", "reflectivity", "i"}),
-                       first({"ring", "layer", "laser", "channel"}),
+                       first({"ring", "layer", "laser", "channel", "profile"}),
+                       first({"beam"}),
                        first({"time_offset", "time", "t"})};
   if (fields.time != nullptr && fields.time->type != 'F') {
     const bool nanoseconds = fields.time->name == "t" && fields.time->size == 4;
@@ -85,6 +86,10 @@ bool make_pcd_return(const PcdScanFields& fields, const Value& value, Return& r)
   if (fields.layer != nullptr) {
     const double layer = value(*fields.layer);
     r.layer = layer >= 0 && layer <= INT16_MAX ? static_cast<std::int16_t>(layer) : std::int16_t{0};
+  }
+  if (fields.beam != nullptr) {
+    const double beam = value(*fields.beam);
+    r.beam = beam >= 0 && beam <= INT32_MAX ? static_cast<std::int32_t>(beam) : -1;
   }
   if (fields.time != nullptr) {
     const double offset_s = value(*fields.time) * fields.time_unit_s;

@@ -6,9 +6,10 @@ namespace scanfuse::io {
 
 /// One PCD file in memory as a scan without stamp: DATA ascii, binary or binary_compressed, any
 /// layout of fields. Needs x and y; takes z, intensity (or reflectivity, i), ring (or layer, laser,
-/// channel) as the layer, `t` (U 4: nanoseconds) or `time`, `time_offset` (F: seconds) as the
-/// beam's time after the scan's. Points that are not finite are "no return" and noted; bad lines
-/// and a cut end are damage. VIEWPOINT is not applied: points are taken as in the sensor's frame.
+/// channel, profile) as the layer, beam, `t` (U 4: nanoseconds) or `time`, `time_offset` (F:
+/// seconds) as the beam's time after the scan's. Points that are not finite are "no return" and
+/// noted; bad lines and a cut end are damage. VIEWPOINT is not applied: points are taken as in the
+/// sensor's frame.
 [[nodiscard]] Result<Scan> read_pcd(std::string_view file, const std::string& name,
                                     Diagnostics& diagnostics);
 
