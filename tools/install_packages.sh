@@ -6,7 +6,7 @@ set -euo pipefail
 build="g++ cmake ninja-build ccache mold libeigen3-dev libfmt-dev libexpected-dev libcli11-dev
   libtomlplusplus-dev nlohmann-json3-dev libembree-dev libzstd-dev liblz4-dev zlib1g-dev libbz2-dev
   liblzma-dev libsqlite3-dev libgeographiclib-dev libceres-dev libpng-dev libjpeg62-turbo-dev
-  libopencv-imgproc-dev libopencv-calib3d406 libboost-dev"
+  libopencv-calib3d-dev libboost-dev"
 test="libgtest-dev libgmock-dev librapidcheck-dev clang-19 clang-tidy-19 clang-format-19
   libclang-rt-19-dev python3 python3-numpy python3-rosbag git chromium nodejs npm
   coinor-libcbc-dev pkg-config"

@@ -70,7 +70,6 @@ struct ClassGoal {
   const char* name;
   std::array<std::optional<double>, 3> at_least;  ///< to 20, 40, 50 m
 };
-constexpr std::array kRanges_m{20.0, 40.0, 50.0};
 
 std::vector<BenchRow> rows_of(const std::string& method, const evaluate::ClassScore& score,
                               bool promised) {
@@ -85,11 +84,12 @@ std::vector<BenchRow> rows_of(const std::string& method, const evaluate::ClassSc
     rows.push_back(std::move(row));
   };
   for (const auto& goal : goals) {
-    for (std::size_t i = 0; i < kRanges_m.size(); ++i) {
-      const auto to = fmt::format("{} to {:.0f} m ", goal.name, kRanges_m[i]);
-      add(to + "precision", score.precision(goal.kind, kRanges_m[i]), "", goal.at_least[i], false);
-      add(to + "recall", score.recall(goal.kind, kRanges_m[i]), "", goal.at_least[i], false);
-      add(to + "recall, followed for 1 s", score.recall_of_followed(goal.kind, kRanges_m[i]), "",
+    for (std::size_t i = 0; i < evaluate::ClassScore::kRanges_m.size(); ++i) {
+      const double range_m = evaluate::ClassScore::kRanges_m[i];
+      const auto to = fmt::format("{} to {:.0f} m ", goal.name, range_m);
+      add(to + "precision", score.precision(goal.kind, range_m), "", goal.at_least[i], false);
+      add(to + "recall", score.recall(goal.kind, range_m), "", goal.at_least[i], false);
+      add(to + "recall, followed for 1 s", score.recall_of_followed(goal.kind, range_m), "",
           goal.at_least[i], false);
     }
   }

@@ -58,8 +58,8 @@ void add_nees(PassiveTrackTrial& trial, const triangulate::PassiveStep& step,
   }
 }
 
-PassiveTrackTrial run_track_trial(const PassiveRecording& recording,
-                                  const PassiveTrackOptions& options) {
+PassiveTrackTrial run_passive_trial(const PassiveRecording& recording,
+                                    const PassiveTrackOptions& options) {
   triangulate::AssociationOptions association;
   association.posterior = false;
   triangulate::PassiveTracker tracker(recording.scene, options, association);
@@ -79,13 +79,13 @@ PassiveTrackTrial run_track_trial(const PassiveRecording& recording,
   return trial;
 }
 
-std::vector<PassiveTrackTrial> run_trials(const PassiveOptions& scene,
-                                          const PassiveTrackOptions& options,
-                                          const SeedRange& seeds, int threads) {
+std::vector<PassiveTrackTrial> run_passive_trials(const PassiveOptions& scene,
+                                                  const PassiveTrackOptions& options,
+                                                  const SeedRange& seeds, int threads) {
   std::vector<PassiveTrackTrial> trials(static_cast<std::size_t>(seeds.count));
   parallel_for(trials.size(), threads, [&](std::size_t k) {
     const auto recording = simulate::simulate_passive(scene, seeds.first + k);
-    if (recording) trials[k] = run_track_trial(*recording, options);
+    if (recording) trials[k] = run_passive_trial(*recording, options);
   });
   return trials;
 }
@@ -112,8 +112,8 @@ void add_passive_tracks(std::vector<BenchRow>& rows, const SeedRange& seeds, int
   using T = const PassiveTrackTrial&;
   PassiveTrackOptions apart;
   apart.association = triangulate::TrackAssociation::kFixesFirst;
-  const auto joint = run_trials(scene, {}, seeds, threads);
-  const auto fixes = run_trials(scene, apart, seeds, threads);
+  const auto joint = run_passive_trials(scene, {}, seeds, threads);
+  const auto fixes = run_passive_trials(scene, apart, seeds, threads);
   const auto mota = [](T t) { return t.score.clear.mota; };
   const auto gospa = [](T t) { return t.score.sets.gospa_m; };
   const auto switches = [](const std::vector<PassiveTrackTrial>& trials) {
@@ -139,7 +139,7 @@ void add_passive_tracks(std::vector<BenchRow>& rows, const SeedRange& seeds, int
   PassiveTrackOptions matched;
   matched.sigma_accel = matched.sigma_accel_z = 0.01;
   rows.push_back({name + ": NEES, matched noise (6 is right)",
-                  nees_of(run_trials(scene, matched, seeds, threads)), "", between(5, 7)});
+                  nees_of(run_passive_trials(scene, matched, seeds, threads)), "", between(5, 7)});
   rows.push_back({name + ": NEES, noise of targets that turn", nees_of(joint), ""});
 }
 

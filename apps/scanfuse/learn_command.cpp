@@ -8,7 +8,6 @@ namespace scanfuse::app {
 namespace {
 
 constexpr std::array kUsers{ObjectClass::kVehicle, ObjectClass::kPedestrian, ObjectClass::kCyclist};
-constexpr std::array kRanges_m{20.0, 40.0, 50.0};
 
 nlohmann::json or_null(const std::optional<double>& value) {
   return value ? nlohmann::json(*value) : nlohmann::json(nullptr);
@@ -52,7 +51,7 @@ nlohmann::json as_json(const LearnOutcome& outcome) {
                 {"misnamed", counts.misnamed},
                 {"said", counts.said},
                 {"right", counts.right}};
-    for (const double range : kRanges_m) {
+    for (const double range : evaluate::ClassScore::kRanges_m) {
       tracks[std::string(to_string(kind))][fmt::format("{:.0f}_m", range)] = {
           {"precision", or_null(outcome.tracks.precision(kind, range))},
           {"recall", or_null(outcome.tracks.recall(kind, range))}};
@@ -78,11 +77,13 @@ void print_text(const LearnOutcome& outcome) {
              outcome.calibration_outlines, outcome.test_outlines,
              outcome.cut_by_time ? " (few recordings: each cut in three by time)" : "");
   fmt::print("{:<12}", "tracks");
-  for (const double range : kRanges_m) fmt::print(" to {:.0f} m: prec recall ", range);
+  for (const double range : evaluate::ClassScore::kRanges_m) {
+    fmt::print(" to {:.0f} m: prec recall ", range);
+  }
   fmt::print("\n");
   for (const ObjectClass kind : kUsers) {
     fmt::print("{:<12}", to_string(kind));
-    for (const double range : kRanges_m) {
+    for (const double range : evaluate::ClassScore::kRanges_m) {
       fmt::print("        {} {}   ", number(outcome.tracks.precision(kind, range)),
                  number(outcome.tracks.recall(kind, range)));
     }
@@ -226,6 +227,9 @@ void add_learn(Tool& tool) {
   command->add_option("--ego", request->ego, "Ego motion (CSV) of the recordings");
   command->add_option("-o,--output", request->output, "Classes to write (TOML)")->required();
   command->add_option("--report", request->report, "HTML page to write");
+  command->add_flag("--vary", request->vary,
+                    "Leave out layers, columns and returns and add noise, another way in each "
+                    "recording that is learned from: for sensors that are not among them");
   command->add_flag("--json", request->json, "One JSON object on stdout");
   command->footer(
       "Of five recordings two serve to fit, two to calibrate, one to test, in the order given;\n"

@@ -5,6 +5,7 @@
 
 #include "scanfuse/core/parallel.hpp"
 #include "scanfuse/io/tables.hpp"
+#include "scanfuse/pipeline/scan_variation.hpp"
 
 namespace scanfuse::app {
 namespace {
@@ -118,12 +119,14 @@ class Learning {
     }
     pipeline::ScanFeed feed(std::move(*reader), std::move(feed_options));
     pipeline::SampleCollector collector(classes);
+    pipeline::ScanVariation vary(i);
     double done = 0;
     while (!interrupted) {
-      const auto posed = feed.next();
+      auto posed = feed.next();
       if (!posed) return tl::unexpected(posed.error());
       if (!*posed) break;
       (void)feed.take_truth();
+      if (request_.vary && role != Role::kTest) vary((*posed)->scan);
       const TruthFrame* frame = truth->of((*posed)->scan);
       if (frame == nullptr) continue;
       const bool keep = role_of(i, n, done++ / truth->frames()) == role;

@@ -15,6 +15,7 @@ struct LearnRequest {
   std::string ego;
   std::string output;
   std::string report;
+  bool vary = false;  ///< what is learned from, not what is tested on
   bool json = false;
 };
 

@@ -51,6 +51,18 @@ Result<std::array<StripeLine, 2>> stripe_lines(const Camera& camera,
   return lines;
 }
 
+Result<std::array<BoardPose, 2>> board_poses(const TurntableFeatures& features, PoseMethod method) {
+  std::array<BoardPose, 2> boards;
+  for (std::size_t b = 0; b < 2; ++b) {
+    const auto locate = method == PoseMethod::kLiu2023 ? board_pose_liu2023 : board_pose;
+    auto pose = locate(features.camera, features.boards[b], features.corners_px[b],
+                       b == 0 ? "first board" : "second board");
+    if (!pose) return tl::unexpected(pose.error());
+    boards[b] = *pose;
+  }
+  return boards;
+}
+
 Result<FixedPose> fixed_pose(const TurntableFeatures& features, std::size_t position,
                              PoseMethod method, BoardOrder first) {
   if (position >= features.positions.size()) {
@@ -58,15 +70,9 @@ Result<FixedPose> fixed_pose(const TurntableFeatures& features, std::size_t posi
                 features.positions.size());
   }
   const TurntablePosition& at = features.positions[position];
-  const bool literal = method == PoseMethod::kLiu2023;
-  std::array<BoardPose, 2> boards;
-  for (std::size_t b = 0; b < 2; ++b) {
-    const auto locate = literal ? board_pose_liu2023 : board_pose;
-    auto pose = locate(features.camera, features.boards[b], features.corners_px[b],
-                       b == 0 ? "first board" : "second board");
-    if (!pose) return tl::unexpected(pose.error());
-    boards[b] = *pose;
-  }
+  const auto located = board_poses(features, method);
+  if (!located) return tl::unexpected(located.error());
+  const std::array<BoardPose, 2>& boards = *located;
   const auto named = [&](const Error& error) -> tl::unexpected<Error> {
     return tl::unexpected(Error{error.code, fmt::format("{}: {}", at.name, error.message)});
   };
@@ -76,6 +82,7 @@ Result<FixedPose> fixed_pose(const TurntableFeatures& features, std::size_t posi
   if (!seen) return named(seen.error());
   const auto returns = find_board_returns(*seen, at.scan, first);
   if (!returns) return named(returns.error());
+  const bool literal = method == PoseMethod::kLiu2023;
   auto pose = literal ? pose_liu2023(features.camera, features.boards, boards, *stripes, *returns)
                       : pose_exact(features.camera, features.boards, boards, *stripes, *returns);
   if (!pose) return named(pose.error());

@@ -68,6 +68,10 @@ void describe_fit(const Camera& camera, const std::array<BoardPose, 2>& boards,
 
 enum class PoseMethod { kLiu2023, kExact };
 
+/// Where both boards of a session stand.
+[[nodiscard]] Result<std::array<BoardPose, 2>> board_poses(const TurntableFeatures& features,
+                                                           PoseMethod method);
+
 /// All of it for one position of a session: boards, returns, pose. Errors name the position.
 [[nodiscard]] Result<FixedPose> fixed_pose(const TurntableFeatures& features, std::size_t position,
                                            PoseMethod method = PoseMethod::kExact,

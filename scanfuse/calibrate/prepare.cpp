@@ -18,18 +18,6 @@ Result<void> check_camera(const Camera& camera) {
               "the camera's focal lengths must be above 0 and its numbers finite");
 }
 
-Result<std::array<BoardPose, 2>> locate_boards(const TurntableFeatures& features, bool literal) {
-  std::array<BoardPose, 2> boards;
-  for (std::size_t b = 0; b < 2; ++b) {
-    const auto locate = literal ? board_pose_liu2023 : board_pose;
-    auto pose = locate(features.camera, features.boards[b], features.corners_px[b],
-                       b == 0 ? "first board" : "second board");
-    if (!pose) return tl::unexpected(pose.error());
-    boards[b] = *pose;
-  }
-  return boards;
-}
-
 /// A position's stripes and V, whatever the order of the boards.
 struct Seen {
   std::array<StripeLine, 2> stripes;
@@ -144,7 +132,7 @@ std::vector<TurnedPose> poses_of(const std::vector<Sample>& samples) {
 Result<Prepared> prepare(const TurntableFeatures& features, const TurntableOptions& options) {
   const bool literal = options.method == TurntableMethod::kLiu2023;
   if (auto fine = check_camera(features.camera); !fine) return tl::unexpected(fine.error());
-  const auto boards = locate_boards(features, literal);
+  const auto boards = board_poses(features, literal ? PoseMethod::kLiu2023 : PoseMethod::kExact);
   if (!boards) return tl::unexpected(boards.error());
   std::vector<std::optional<Result<Seen>>> slots(features.positions.size());
   parallel_for(slots.size(), 0,

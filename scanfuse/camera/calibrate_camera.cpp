@@ -5,10 +5,9 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <opencv2/calib3d.hpp>
 #include <optional>
 #include <utility>
-
-#include "scanfuse/camera/opencv_calib3d.inc"
 
 namespace scanfuse::camera {
 namespace {

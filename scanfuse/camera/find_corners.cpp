@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 #include <utility>
 #include <vector>
 
 #include "scanfuse/camera/grid.hpp"
-#include "scanfuse/camera/opencv_calib3d.inc"
 
 namespace scanfuse::camera {
 namespace {

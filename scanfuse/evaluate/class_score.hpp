@@ -42,7 +42,8 @@ struct Reliability {
 class ClassScore {
  public:
   static constexpr double kBin_m = 5;
-  static constexpr int kRangeBins = 12;  ///< to 60 m
+  static constexpr std::array kRanges_m{20.0, 40.0, 50.0};  ///< what tables tell: up to there
+  static constexpr int kRangeBins = 12;                     ///< to 60 m
 
   struct Counts {
     std::array<std::int64_t, kRangeBins> objects{}, found{}, said{}, right{};

@@ -94,6 +94,7 @@ PerceptionOptions road_users_literal_chain() {
   options.shape.outline.lines = shape::LineMethod::kIepfLiteral;
   options.shape.join.method = shape::JoinMethod::kGuo;
   options.shape.join.expected_margin_m = 0;
+  options.shape.join.limb_m = 0;
   options.track.measurement = track::MeasuredAs::kCentre;
   options.track.associator = associate::Method::kNearest;
   options.track.distance = track::Distance::kEuclidean;

@@ -12,12 +12,9 @@ namespace scanfuse::report {
 namespace {
 
 constexpr double kEllipse95 = 5.991;  ///< chi-square of two degrees of freedom
-constexpr std::array kPalette{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                              "#56b4e9", "#e69f00", "#882255"};
 
 std::string colour_of(std::int64_t target) {
-  const auto k = static_cast<std::size_t>(target) % kPalette.size();
-  return fmt::format("var(--s{},{})", k, kPalette[k]);
+  return series_colour(static_cast<std::size_t>(target) % (kSeriesColours - 1));  // not the grey
 }
 
 class MapCanvas {

@@ -42,7 +42,7 @@ std::string quoted(std::string_view text) {
   return result + "\"";
 }
 
-std::string track_data(const PointTrack& t) {
+std::string point_track_data(const PointTrack& t) {
   const auto& P = t.covariance_m2;
   return fmt::format("[{},{},{},{},{},{},{},{},{},{},{}]", t.id, static_cast<int>(t.status),
                      triple(t.position_m, 2), triple(t.velocity_m_per_s, 2), number(P(0, 0), 2),
@@ -50,7 +50,7 @@ std::string track_data(const PointTrack& t) {
                      number(P(2, 2), 2), number(t.existence_probability, 4));
 }
 
-std::string frame_data(const PointTrackFrame& frame) {
+std::string point_frame_data(const PointTrackFrame& frame) {
   std::string lines = "[";
   for (std::size_t k = 0; k < frame.lines.size(); ++k) {
     lines += fmt::format("{}[{},{},{}]", k > 0 ? "," : "", frame.sensor_of_line[k],
@@ -58,7 +58,7 @@ std::string frame_data(const PointTrackFrame& frame) {
   }
   return fmt::format(
       "{{\"n\":{},\"t\":{},\"l\":{}],\"k\":{},\"g\":{}}}", frame.scan, number(frame.time_s, 3),
-      lines, list_of(frame.tracks, track_data),
+      lines, list_of(frame.tracks, point_track_data),
       list_of(frame.truth_m, [](const auto& p) { return "[" + triple(p, 1) + "]"; }));
 }
 
@@ -92,7 +92,7 @@ std::string point_track_page(const std::string& title, const std::string& note,
     return fmt::format("{{\"name\":{},\"p\":[{}]}}", quoted(s.name),
                        triple(s.world_from_sensor.translation_m, 2));
   });
-  html += ",\"frames\":" + list_of(frames, frame_data) + "}</script>\n<script>\n";
+  html += ",\"frames\":" + list_of(frames, point_frame_data) + "}</script>\n<script>\n";
   html += passive_tracks_script();
   return html + "</script></body></html>\n";
 }

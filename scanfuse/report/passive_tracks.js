@@ -3,28 +3,38 @@
 (() => {
   const data = JSON.parse(document.getElementById('data').textContent);
   const by = (id) => document.getElementById(id);
-  const canvas = by('view'), slider = by('at'), shown = by('shown'), play = by('play'), side = by('side');
+  const canvas = by('view'), slider = by('at'), shown = by('shown'), play = by('play'),
+        side = by('side');
   const withLines = by('lines'), TRAIL = 40, TENTATIVE = 0;
   const state = {at: 0, timer: null};
-  const frames = data.frames.map((f) => ({
-    scan: f.n, t: f.t, truth: f.g,
-    // sensor, direction x y z, track (-1: clutter)
-    lines: f.l.map((r) => ({sensor: r[0], d: [r[1], r[2], r[3]], id: r[4]})),
-    tracks: f.k.map((r) => ({
-      id: r[0], status: r[1], p: [r[2], r[3], r[4]], v: [r[5], r[6], r[7]],
-      P: [[r[8], r[9], r[10]], [r[9], r[11], r[12]], [r[10], r[12], r[13]]], exists: r[14],
-    })),
-  }));
+  const frames = data.frames.map(
+      (f) => ({
+        scan: f.n,
+        t: f.t,
+        truth: f.g,
+        // sensor, direction x y z, track (-1: clutter)
+        lines: f.l.map((r) => ({sensor: r[0], d: [r[1], r[2], r[3]], id: r[4]})),
+        tracks: f.k.map((r) => ({
+                          id: r[0],
+                          status: r[1],
+                          p: [r[2], r[3], r[4]],
+                          v: [r[5], r[6], r[7]],
+                          P: [[r[8], r[9], r[10]], [r[9], r[11], r[12]], [r[10], r[12], r[13]]],
+                          exists: r[14],
+                        })),
+      }));
   const style = getComputedStyle(document.documentElement);
   const colour = (name) => style.getPropertyValue(name).trim();
   const palette = () => [0, 1, 2, 3, 4, 5, 6].map((k) => colour('--s' + k));
 
-  // What all frames cover, by axis, from 1 to 99 %: a track that runs away does not shrink the rest.
+  // What all frames cover, by axis, from 1 to 99 %: a track that runs away does not shrink the
+  // rest.
   const range = [0, 1, 2].map((axis) => {
     const own = data.sensors.map((s) => s.p[axis]);
     const all = [];
     for (const f of frames) {
-      for (const t of f.tracks) if (t.status !== TENTATIVE) all.push(t.p[axis]);
+      for (const t of f.tracks)
+        if (t.status !== TENTATIVE) all.push(t.p[axis]);
       for (const p of f.truth) all.push(p[axis]);
     }
     all.sort((a, b) => a - b);
@@ -48,13 +58,17 @@
   };
 
   const grid = (g, w, h, cam) => {
-    const steps = [1, 2, 5].flatMap((k) => [1, 10, 100, 1e3, 1e4, 1e5].map((m) => k * m)).sort((a, b) => a - b);
+    const steps = [1, 2, 5]
+                      .flatMap((k) => [1, 10, 100, 1e3, 1e4, 1e5].map((m) => k * m))
+                      .sort((a, b) => a - b);
     const step = steps.find((s) => s * cam.scale > 70) || 1e6;
     g.strokeStyle = colour('--line');
     g.fillStyle = colour('--muted');
     g.lineWidth = 1;
     const text = (v) => step >= 1000 ? v / 1000 + ' km' : v + ' m';
-    const ends = (half, middle) => [Math.ceil((middle - half / cam.scale) / step), Math.floor((middle + half / cam.scale) / step)];
+    const ends = (half, middle) =>
+        [Math.ceil((middle - half / cam.scale) / step),
+         Math.floor((middle + half / cam.scale) / step)];
     const [a, b] = ends(w / 2, cam.x0), [c, d] = ends(h / 2, cam.y0);
     for (let k = a; k <= b; k++) {
       const x = w / 2 + cam.scale * (k * step - cam.x0);
@@ -71,8 +85,10 @@
   // The ellipse that holds the target with 95 % in the plane shown.
   const ellipse = (g, t, cam, up) => {
     const a = t.P[0][0], b = t.P[0][up], c = t.P[up][up];
-    const mean = (a + c) / 2, spread = Math.hypot((a - c) / 2, b), angle = 0.5 * Math.atan2(2 * b, a - c);
-    const r = [mean + spread, mean - spread].map((v) => cam.scale * Math.sqrt(5.991 * Math.max(0, v)));
+    const mean = (a + c) / 2, spread = Math.hypot((a - c) / 2, b),
+          angle = 0.5 * Math.atan2(2 * b, a - c);
+    const r =
+        [mean + spread, mean - spread].map((v) => cam.scale * Math.sqrt(5.991 * Math.max(0, v)));
     const [x, y] = cam.to(t.p);
     g.beginPath();
     g.ellipse(x, y, r[0], r[1], -angle, 0, 2 * Math.PI);
@@ -118,7 +134,10 @@
     ellipse(g, t, cam, up);
     g.beginPath();
     g.arc(x, y, t.status === TENTATIVE ? 2 : 3.5, 0, 2 * Math.PI);
-    if (t.status === 2) g.stroke(); else g.fill();
+    if (t.status === 2)
+      g.stroke();
+    else
+      g.fill();
     if (t.status === TENTATIVE) return;
     g.fillStyle = colour('--ink');
     g.fillText(t.id, x + 7, y - 6);
@@ -150,7 +169,8 @@
       g.fillText(s.name, x + 9, y - 7);
     }
     const confirmed = frame.tracks.filter((t) => t.status !== TENTATIVE).length;
-    shown.textContent = `scan ${frame.scan}, ${frame.t.toFixed(2)} s: ${confirmed} tracks, ${frame.lines.length} bearings`;
+    shown.textContent = `scan ${frame.scan}, ${frame.t.toFixed(2)} s: ${confirmed} tracks, ${
+        frame.lines.length} bearings`;
   };
 
   const show = (k) => {
@@ -170,11 +190,17 @@
   withLines.addEventListener('change', draw);
   window.addEventListener('resize', draw);
   play.addEventListener('click', () => {
-    if (state.timer) { stop(); return; }
+    if (state.timer) {
+      stop();
+      return;
+    }
     if (state.at === frames.length - 1) show(0);
     play.textContent = 'Pause';
     state.timer = setInterval(() => {
-      if (state.at === frames.length - 1) stop(); else show(state.at + 1);
+      if (state.at === frames.length - 1)
+        stop();
+      else
+        show(state.at + 1);
     }, 100);
   });
   // #at=K opens the page at the K-th frame.

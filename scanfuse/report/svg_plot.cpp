@@ -10,8 +10,8 @@
 namespace scanfuse::report {
 namespace {
 
-constexpr std::array kPalette{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                              "#56b4e9", "#e69f00", "#882255", "#777777"};
+constexpr std::array<const char*, kSeriesColours> kPalette{
+    "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#882255", "#777777"};
 
 struct Extent {
   double low = std::numeric_limits<double>::infinity();
@@ -96,9 +96,6 @@ class ChartCanvas {
     return chart_.height_px - kBottom -
            (y - y_.low) / (y_.high - y_.low) * (chart_.height_px - top_ - kBottom);
   }
-  static std::string colour(std::size_t k) {
-    return fmt::format("var(--s{},{})", k % kPalette.size(), kPalette[k % kPalette.size()]);
-  }
 
   void axes() {
     const int bottom = chart_.height_px - kBottom, right = chart_.width_px - kRight;
@@ -134,7 +131,8 @@ class ChartCanvas {
       path += fmt::format("{}{:.1f} {:.1f}", pen_down ? 'L' : 'M', px(p.x()), py(p.y()));
       pen_down = true;
     }
-    put(R"svg(<path d="{}" fill="none" stroke="{}" stroke-width="1.6"{}/>)svg", path, colour(k),
+    put(R"svg(<path d="{}" fill="none" stroke="{}" stroke-width="1.6"{}/>)svg", path,
+        series_colour(k),
         series.style == Series::Style::kDashed ? " stroke-dasharray=\"5 3\"" : "");
   }
 
@@ -144,7 +142,7 @@ class ChartCanvas {
       if (p.allFinite()) path += fmt::format("M{:.1f} {:.1f}h0", px(p.x()), py(p.y()));
     }
     put(R"svg(<path d="{}" stroke="{}" stroke-width="3.6" stroke-linecap="round"/>)svg", path,
-        colour(k));
+        series_colour(k));
   }
 
   void marks(const Series& series, std::size_t k) {
@@ -153,7 +151,7 @@ class ChartCanvas {
     for (const auto& p : series.points) {
       if (std::isfinite(p.x())) path += fmt::format("M{:.1f} {}l-3 7h6z", px(p.x()), foot - 7);
     }
-    put(R"svg(<path d="{}" fill="{}"/>)svg", path, colour(k));
+    put(R"svg(<path d="{}" fill="{}"/>)svg", path, series_colour(k));
   }
 
   /// Tells `place` the number, x and row of each entry; a row ends at the right margin.
@@ -177,7 +175,7 @@ class ChartCanvas {
     place_legend([&](std::size_t k, double x, int row) {
       put(R"svg(<rect x="{:.1f}" y="{}" width="12" height="4" rx="2" fill="{}"/>)svg"
           R"svg(<text x="{:.1f}" y="{}" fill="var(--muted,#666)">{}</text>)svg",
-          x, 23 + kLegendRow * row, colour(k), x + 16, 29 + kLegendRow * row,
+          x, 23 + kLegendRow * row, series_colour(k), x + 16, 29 + kLegendRow * row,
           escape_html(chart_.series[k].name));
     });
   }
@@ -190,6 +188,10 @@ class ChartCanvas {
 };
 
 }  // namespace
+
+std::string series_colour(std::size_t k) {
+  return fmt::format("var(--s{},{})", k % kPalette.size(), kPalette[k % kPalette.size()]);
+}
 
 std::string line_chart(const Chart& chart) { return ChartCanvas(chart).draw(); }
 

@@ -29,6 +29,11 @@ struct Chart {
 /// finite point the chart says so.
 [[nodiscard]] std::string line_chart(const Chart& chart);
 
+/// The colour of the k-th series, with the fallback where the page sets none; eight, then again.
+/// The last one is grey.
+inline constexpr std::size_t kSeriesColours = 8;
+[[nodiscard]] std::string series_colour(std::size_t k);
+
 /// Text for HTML and XML: & < > " ' escaped.
 [[nodiscard]] std::string escape_html(std::string_view text);
 

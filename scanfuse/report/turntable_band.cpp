@@ -8,7 +8,6 @@
 namespace scanfuse::report {
 namespace {
 
-constexpr double kRange_m = 1.5;
 constexpr int kWidth = 860, kHeight = 280, kLeft = 62, kRight = 14, kTop = 16, kBottom = 40;
 constexpr int kSteps = 180;
 
@@ -60,7 +59,7 @@ std::string error_band_chart(const TurntableReport& report) {
   double least = 1e9, most = 0;
   for (int k = 0; k <= kSteps; ++k) {
     const double angle = axes.first_deg + (axes.last_deg - axes.first_deg) * k / kSteps;
-    const double error = std::max(report.point_sigma(radians(angle), kRange_m) * 1e3, 1e-6);
+    const double error = std::max(report.point_sigma(radians(angle), kBandRange_m) * 1e3, 1e-6);
     curve.emplace_back(angle, error);
     least = std::min(least, error);
     most = std::max(most, error);

@@ -13,8 +13,6 @@
 namespace scanfuse::report {
 namespace {
 
-constexpr double kRange_m = 1.5;
-
 std::size_t used(const TurntableReport& report) {
   return static_cast<std::size_t>(
       std::ranges::count_if(report.positions, [](const auto& p) { return p.used; }));
@@ -29,7 +27,7 @@ double worst_in_arc_mm(const TurntableReport& report) {
   for (int k = 0; k <= 20; ++k) {
     const double angle = report.rig.first_turntable_rad +
                          (report.rig.last_turntable_rad - report.rig.first_turntable_rad) * k / 20;
-    worst = std::max(worst, report.point_sigma(angle, kRange_m) * 1e3);
+    worst = std::max(worst, report.point_sigma(angle, kBandRange_m) * 1e3);
   }
   return worst;
 }
@@ -41,7 +39,7 @@ std::string verdict(const TurntableReport& report) {
     text += fmt::format(
         "Within the calibrated arc a point at {} m is placed to {:.2f} mm (one standard deviation, "
         "from the calibration alone).",
-        kRange_m, worst_in_arc_mm(report));
+        kBandRange_m, worst_in_arc_mm(report));
   } else {
     text += fmt::format("Method {}: no uncertainty is known.", report.method);
   }

@@ -6,6 +6,9 @@
 
 namespace scanfuse::report {
 
+/// Errors of points are told for this distance from the lidar.
+inline constexpr double kBandRange_m = 1.5;
+
 /// What the view in space draws, as JSON for turntable_viewer.js: lines and points with a colour
 /// variable and a label. No `<` in it.
 [[nodiscard]] std::string turntable_scene_json(const TurntableReport& report);

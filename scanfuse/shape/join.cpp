@@ -72,6 +72,7 @@ const Clusters& ClusterJoiner::operator()(const VirtualScan& scan, const Cluster
   } else {
     join_behind_occluders(scan, clusters);
   }
+  join_legs();
   if (any_) return gather(clusters);
   for (std::size_t k = 0; k < clusters.size(); ++k) expected_of_[k] = pieces_[k].expected;
   return clusters;  // NOLINT(bugprone-return-const-ref-from-parameter): as the header says
@@ -101,6 +102,33 @@ void ClusterJoiner::look(const VirtualScan& scan, const Clusters& clusters) {
     piece.first = clusters[k].front();
     piece.last = clusters[k].back();
     piece.cut = find_cut_ends(scan, piece.first, piece.last, occlusion_);
+    const Eigen::Vector2d first = scan.position(piece.first), last = scan.position(piece.last);
+    piece.limb = (last - first).norm() <= options_.limb_m;
+    piece.middle_m = (first + last) / 2;
+  }
+}
+
+/// The limb within a stride that is nearest, of `reach` clusters before and behind in order; `of`
+/// itself where there is none.
+std::size_t ClusterJoiner::nearest_limb(std::size_t of) const {
+  const auto reach = static_cast<std::size_t>(options_.reach);
+  std::size_t best = of;
+  double nearest2 = options_.stride_m * options_.stride_m;
+  for (std::size_t k = of - std::min(of, reach); k < pieces_.size() && k <= of + reach; ++k) {
+    const double apart2 = (pieces_[k].middle_m - pieces_[of].middle_m).squaredNorm();
+    if (k == of || !pieces_[k].limb || apart2 > nearest2) continue;
+    nearest2 = apart2;
+    best = k;
+  }
+  return best;
+}
+
+void ClusterJoiner::join_legs() {
+  if (options_.limb_m <= 0) return;
+  for (std::size_t a = 0; a < pieces_.size(); ++a) {
+    if (!pieces_[a].limb || pieces_[a].expected >= 0) continue;
+    const std::size_t b = nearest_limb(a);
+    if (b > a && pieces_[b].expected < 0 && nearest_limb(b) == a) join(a, b);
   }
 }
 

@@ -38,6 +38,8 @@ struct JoinOptions {
   double guo_gap_m = 3;
   double guo_slope_rad = 0.5235987755982988;  // 30 deg
   double expected_margin_m = 0.3;
+  double limb_m = 0.3;
+  double stride_m = 0.55;
 
   static constexpr auto fields() {
     using O = JoinOptions;
@@ -57,6 +59,10 @@ struct JoinOptions {
         Field{"expected_margin_m", &O::expected_margin_m, 0.0, 10.0,
               "clusters in a track's box, grown by this and by its uncertainty, are one object; "
               "0 leaves them apart"},
+        Field{"limb_m", &O::limb_m, 0.0, 1.0,
+              "two clusters no longer than this that stand alone within a stride are the legs of "
+              "one person; 0 leaves them apart"},
+        Field{"stride_m", &O::stride_m, 0.0, 2.0, "between the middles of two legs, at most"},
     };
   }
 };
@@ -71,6 +77,9 @@ struct JoinOptions {
 /// `guo` [Guo]: neighbouring clusters are joined when the line from the last point of one to the
 /// first point of the next is short, and its slope is near that of the next one's points. Nothing
 /// need stand in front, and cars side by side are joined too: for comparison.
+///
+/// Legs, by either method but `none`: of two clusters as small as limbs each is the other's nearest
+/// neighbour within a stride. A scanner at knee height sees no more of a person who is near.
 ///
 /// Clusters that lie in the box where a track expects a vehicle are joined by either method but
 /// `none`, and what is too sparse there to be a cluster is added to them; clusters expected by two
@@ -98,6 +107,8 @@ class ClusterJoiner {
     std::uint32_t last = 0;
     CutEnds cut;
     std::int32_t expected = -1;
+    bool limb = false;  ///< of a limb's size
+    Eigen::Vector2d middle_m = Eigen::Vector2d::Zero();
   };
   void make_room(std::size_t points, std::size_t clusters, std::size_t expected);
   void look(const VirtualScan& scan, const Clusters& clusters);
@@ -105,6 +116,8 @@ class ClusterJoiner {
                      std::span<const Expected> expected);
   void join_neighbours(const VirtualScan& scan, const Clusters& clusters);
   void join_behind_occluders(const VirtualScan& scan, const Clusters& clusters);
+  void join_legs();
+  [[nodiscard]] std::size_t nearest_limb(std::size_t of) const;
   [[nodiscard]] bool is_hidden_between(const VirtualScan& scan, const Piece& a,
                                        const Piece& b) const;
   [[nodiscard]] bool fits_one_box(const VirtualScan& scan, std::span<const std::uint32_t> a,

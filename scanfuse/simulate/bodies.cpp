@@ -42,6 +42,111 @@ void add_rim(Mesh& mesh, double x_m, double radius_m, const Surface& surface) {
   add_box(mesh, at(x_m, 0, radius_m), {0.08, 0.1, 0.08}, surface);
 }
 
+/// How a body is built and dressed is drawn from a stream of its own, which leaves the scene's as
+/// it was: what stands where does not depend on it.
+RandomStream stream_of_build(std::int64_t id, const RandomStream& random) {
+  RandomStream copy = random;
+  return RandomStream(copy.next(), static_cast<std::uint64_t>(id));
+}
+
+/// A pair of limbs, left and right of the body's middle, that swing about their joints.
+struct Limbs {
+  Eigen::Vector3d left_joint_m;
+  double length_m = 0, thickness_m = 0, swing_rad = 0, rate_rad_per_s = 0;
+  double right_phase_rad = 0, left_phase_rad = 0;
+};
+
+void add_limbs(Actor& actor, const Limbs& pair, const Surface& surface) {
+  for (const double side : {-1.0, 1.0}) {
+    const Eigen::Vector3d joint = pair.left_joint_m.cwiseProduct(Eigen::Vector3d(1, side, 1));
+    actor.parts.push_back(limb(joint, pair.length_m, pair.thickness_m, pair.swing_rad,
+                               pair.rate_rad_per_s,
+                               side > 0 ? pair.left_phase_rad : pair.right_phase_rad, surface));
+  }
+}
+
+/// Torso and head; a coat or skirt over the thighs and a rucksack as people have them.
+Part trunk(double h, const Surface& cloth, RandomStream& build) {
+  const double hip = 0.5 * h, shoulder = 0.82 * h;
+  const double depth = build.uniform(0.19, 0.34), breadth = build.uniform(0.36, 0.54);
+  Part part;
+  add_loft(part.mesh, ellipse(0.9 * depth, 0.8 * breadth), hip, ellipse(depth, breadth), shoulder,
+           cloth);
+  add_loft(part.mesh, ellipse(0.18, 0.16), shoulder, ellipse(0.16, 0.14), h, cloth);
+  if (build.chance(0.2)) {
+    const double hem = build.uniform(0.12, 0.4) * h, flare = build.uniform(1.0, 1.4);
+    add_loft(part.mesh, ellipse(flare * depth, flare * 0.85 * breadth), hem,
+             ellipse(0.9 * depth, 0.8 * breadth), hip, cloth);
+  }
+  if (build.chance(0.2)) {
+    const double deep = build.uniform(0.1, 0.25);
+    add_box(part.mesh, at(-depth / 2 - deep / 2, 0, 0.68 * h), {deep, 0.3, 0.28 * h}, cloth);
+  }
+  return part;
+}
+
+/// Breadth and thickness are drawn here. One of five does not swing the arms; of these half carry
+/// a bag.
+void add_arms(Actor& person, Limbs arms, const Surface& cloth, RandomStream& build) {
+  arms.thickness_m = build.uniform(0.08, 0.13);
+  const double apart = build.uniform(0.2, 0.29), shoulder = arms.left_joint_m.z();
+  arms.left_joint_m.y() = apart;
+  const bool still = build.chance(0.2);
+  if (still) arms.swing_rad = 0;
+  add_limbs(person, arms, cloth);
+  if (!still || build.chance(0.5)) return;
+  Part bag;
+  add_box(bag.mesh, at(0, build.chance(0.5) ? apart : -apart, 0.33 * shoulder + 0.1),
+          {build.uniform(0.25, 0.45), build.uniform(0.1, 0.22), build.uniform(0.25, 0.5)}, cloth);
+  person.parts.push_back(std::move(bag));
+}
+
+struct Bicycle {
+  double wheel_m = 0.34, half_base_m = 0.54, bar_m = 0.54;
+};
+
+/// Frame, wheels, handlebar; bags beside the rear wheel and a basket in front as some have them.
+void add_bicycle(Mesh& mesh, const Bicycle& bicycle, RandomStream& build) {
+  const Surface metal{0.35F, 0.2F, false}, bag{0.3F, 0.3F, false};
+  add_rim(mesh, -bicycle.half_base_m, bicycle.wheel_m, metal);
+  add_rim(mesh, bicycle.half_base_m, bicycle.wheel_m, metal);
+  add_box(mesh, at(0, 0, 0.72), {0.75, 0.05, 0.06}, metal);
+  add_box(mesh, at(0.1, 0, 0.5, 0.7), {0.06, 0.05, 0.6}, metal);
+  add_box(mesh, at(-0.15, 0, 0.55, 0.25), {0.06, 0.05, 0.65}, metal);
+  add_box(mesh, at(0.45, 0, 0.65, -0.3), {0.05, 0.05, 0.7}, metal);
+  add_box(mesh, at(0.38, 0, 1.0), {0.05, bicycle.bar_m, 0.05}, metal);
+  if (build.chance(0.3)) {
+    for (const double side : {-0.16, 0.16}) {
+      add_box(mesh, at(-bicycle.half_base_m, side, 0.6), {0.35, 0.14, 0.35}, bag);
+    }
+  }
+  if (build.chance(0.2)) add_box(mesh, at(0.55, 0, 0.9), {0.3, 0.35, 0.25}, bag);
+}
+
+/// From the saddle up: upright on a city bicycle to bent on a racing one, hands on the bar. Gives
+/// the height of the crown.
+double add_upper_body(Mesh& mesh, const Bicycle& bicycle, double h, const Surface& cloth,
+                      RandomStream& build) {
+  const double lean = build.uniform(0.1, 0.8), depth = build.uniform(0.2, 0.3);
+  const double breadth = build.uniform(0.36, 0.5), torso = 0.6;
+  const Eigen::Vector3d seat(-0.15, 0, 0.88), bar(0.38, bicycle.bar_m / 2 - 0.04, 1.02);
+  const Eigen::Vector3d neck = seat + torso * Eigen::Vector3d(std::sin(lean), 0, std::cos(lean));
+  const Eigen::Vector3d middle = (seat + neck) / 2;
+  add_box(mesh, at(middle.x(), 0, middle.z(), lean), {depth, breadth, torso}, cloth);
+  const double crown = neck.z() + 0.16 * h;
+  add_loft(mesh, shifted(ellipse(0.2, 0.17), {neck.x() + 0.05, 0}), neck.z(),
+           shifted(ellipse(0.18, 0.15), {neck.x() + 0.05, 0}), crown, cloth);
+  for (const double side : {-1.0, 1.0}) {
+    const Eigen::Vector3d shoulder(neck.x(), side * breadth / 2, neck.z() - 0.05);
+    const Eigen::Vector3d hand(bar.x(), side * bar.y(), bar.z());
+    const Eigen::Vector3d arm = hand - shoulder;
+    const Eigen::Quaterniond turn =
+        Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), arm);
+    add_box(mesh, {turn, (shoulder + hand) / 2}, {0.09, 0.09, arm.norm()}, cloth);
+  }
+  return crown;
+}
+
 }  // namespace
 
 CarSize random_car_size(RandomStream& random) {
@@ -107,47 +212,41 @@ Actor make_truck(std::int64_t id, RandomStream& random) {
 }
 
 Actor make_pedestrian(std::int64_t id, double steps_per_s, RandomStream& random) {
-  const double h = random.uniform(1.55, 1.9), hip = 0.5 * h, shoulder = 0.82 * h;
+  const double h = random.uniform(1.55, 1.9);
   const Surface cloth{static_cast<float>(random.uniform(0.15, 0.6)), 0.3F, false};
-  Actor person{id, ObjectClass::kPedestrian, 0.5, 0.6, h, ellipse(0.5, 0.6), {}, {}, {}};
-  Part torso;
-  add_loft(torso.mesh, ellipse(0.24, 0.36), hip, ellipse(0.28, 0.46), shoulder, cloth);
-  add_loft(torso.mesh, ellipse(0.18, 0.16), shoulder, ellipse(0.16, 0.14), h, cloth);
-  person.parts.push_back(std::move(torso));
   const double rate = kPi * steps_per_s, phase = random.uniform(0, 2 * kPi);
-  const double swing = steps_per_s > 0 ? radians(24) : 0;
-  for (const double side : {-1.0, 1.0}) {
-    const double turn = phase + (side > 0 ? kPi : 0);
-    person.parts.push_back(limb({0, side * 0.1, hip}, hip, 0.16, swing, rate, turn, cloth));
-    person.parts.push_back(
-        limb({0, side * 0.26, shoulder}, 0.38 * h, 0.1, swing, rate, turn + kPi, cloth));
-  }
+  RandomStream build = stream_of_build(id, random);
+  Actor person{id, ObjectClass::kPedestrian, 0.5, 0.6, h, ellipse(0.5, 0.6), {}, {}, {}};
+  person.parts.push_back(trunk(h, cloth, build));
+  const double leg_swing = steps_per_s > 0 ? radians(build.uniform(18, 30)) : 0;
+  const double leg = build.uniform(0.11, 0.19), hip = 0.5 * h;
+  add_limbs(person,
+            {{0, build.uniform(0.07, 0.14), hip}, hip, leg, leg_swing, rate, phase, phase + kPi},
+            cloth);
+  const double arm_swing = steps_per_s > 0 ? radians(build.uniform(5, 30)) : 0;
+  const double shoulder = 0.82 * h;
+  add_arms(person, {{0, 0, shoulder}, 0.46 * shoulder, 0, arm_swing, rate, phase + kPi, phase},
+           cloth, build);
   return person;
 }
 
 Actor make_cyclist(std::int64_t id, RandomStream& random) {
-  const double h = random.uniform(1.6, 1.8), wheel = 0.34, half = 0.54;
-  const Surface metal{0.35F, 0.2F, false};
+  const double h = random.uniform(1.6, 1.8);
   const Surface cloth{static_cast<float>(random.uniform(0.2, 0.6)), 0.3F, false};
-  Actor rider{id, ObjectClass::kCyclist, 2 * (half + wheel), 0.55, h, ellipse(1.76, 0.55), {}, {},
-              {}};
-  Part bike;
-  add_rim(bike.mesh, -half, wheel, metal);
-  add_rim(bike.mesh, half, wheel, metal);
-  add_box(bike.mesh, at(0, 0, 0.72), {0.75, 0.05, 0.06}, metal);
-  add_box(bike.mesh, at(0.1, 0, 0.5, 0.7), {0.06, 0.05, 0.6}, metal);
-  add_box(bike.mesh, at(-0.15, 0, 0.55, 0.25), {0.06, 0.05, 0.65}, metal);
-  add_box(bike.mesh, at(0.45, 0, 0.65, -0.3), {0.05, 0.05, 0.7}, metal);
-  add_box(bike.mesh, at(0.38, 0, 1.0), {0.05, 0.54, 0.05}, metal);
-  add_box(bike.mesh, at(0.02, 0, 1.15, 0.45), {0.24, 0.42, 0.62}, cloth);
-  add_loft(bike.mesh, shifted(ellipse(0.2, 0.17), {0.2, 0}), h - 0.28,
-           shifted(ellipse(0.18, 0.15), {0.2, 0}), h, cloth);
-  rider.parts.push_back(std::move(bike));
   const double cadence = 2 * kPi * random.uniform(0.8, 1.3), phase = random.uniform(0, 2 * kPi);
-  for (const double side : {-1.0, 1.0}) {
-    rider.parts.push_back(limb({-0.12, side * 0.11, 0.92}, 0.75, 0.15, radians(28), cadence,
-                               phase + (side > 0 ? kPi : 0), cloth));
-  }
+  RandomStream build = stream_of_build(id, random);
+  const Bicycle bicycle{build.uniform(0.3, 0.36), build.uniform(0.48, 0.58),
+                        build.uniform(0.42, 0.68)};
+  const double length = 2 * (bicycle.half_base_m + bicycle.wheel_m);
+  Actor rider{id, ObjectClass::kCyclist, length, 0.55, h, ellipse(length, 0.55), {}, {}, {}};
+  Part whole;
+  add_bicycle(whole.mesh, bicycle, build);
+  rider.height_m = add_upper_body(whole.mesh, bicycle, h, cloth, build);
+  rider.parts.push_back(std::move(whole));
+  const double thickness = build.uniform(0.12, 0.18), apart = build.uniform(0.09, 0.14);
+  add_limbs(rider,
+            {{-0.12, apart, 0.92}, 0.75, thickness, radians(28), cadence, phase, phase + kPi},
+            cloth);
   return rider;
 }
 

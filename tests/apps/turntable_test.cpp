@@ -36,7 +36,7 @@ struct Session {
   }
 };
 
-Session simulated(const std::string& more = "--positions 30 --features-only") {
+Session session_with(const std::string& more = "--positions 30 --features-only") {
   Session session;
   const auto made =
       session.run("simulate turntable -o " + session.at("session") + " --seed 5 " + more);
@@ -52,7 +52,7 @@ double angle_deg(const nlohmann::json& a, const nlohmann::json& b) {
 
 // The truth is written as a rig; the estimate of the axis comes near it.
 TEST(Turntable, FeaturesGiveTheRigAndItsCloudCanBeMeasured) {
-  const Session session = simulated("--features-only");
+  const Session session = session_with("--features-only");
   const auto done = session.calibrate("--json --report " + session.at("report.html"));
   ASSERT_EQ(done.code, 0) << done.err;
   const auto json = nlohmann::json::parse(done.out);
@@ -77,7 +77,7 @@ TEST(Turntable, FeaturesGiveTheRigAndItsCloudCanBeMeasured) {
 }
 
 TEST(Turntable, SameSeedSameBytesWithAnyThreads) {
-  const Session a = simulated(), b = simulated("--positions 30 --features-only --threads 1");
+  const Session a = session_with(), b = session_with("--positions 30 --features-only --threads 1");
   EXPECT_EQ(content_of(a.at("session/features.json")), content_of(b.at("session/features.json")));
   ASSERT_EQ(a.calibrate("--threads 1").code, 0);
   ASSERT_EQ(b.calibrate("--threads 4").code, 0);
@@ -85,7 +85,7 @@ TEST(Turntable, SameSeedSameBytesWithAnyThreads) {
 }
 
 TEST(Turntable, RenderedImagesGiveTheRig) {
-  const Session session = simulated("--positions 12 --set world.step_rad=0.02");
+  const Session session = session_with("--positions 12 --set world.step_rad=0.02");
   const auto done = session.calibrate("--json");
   if (done.err.find("OpenCV") != std::string::npos) GTEST_SKIP() << "built without OpenCV";
   ASSERT_EQ(done.code, 0) << done.err;
@@ -101,7 +101,7 @@ TEST(Turntable, RenderedImagesGiveTheRig) {
 }
 
 TEST(Turntable, PoseOfOnePosition) {
-  const Session session = simulated();
+  const Session session = session_with();
   const auto pose = session.run("calibrate pose " + session.at("session") + " --position 3 --json");
   ASSERT_EQ(pose.code, 0) << pose.err;
   EXPECT_EQ(nlohmann::json::parse(pose.out)["center_mm"].size(), 3u);
@@ -111,7 +111,7 @@ TEST(Turntable, PoseOfOnePosition) {
 }
 
 TEST(Turntable, BadInputNamesFileAndRemedy) {
-  const Session session = simulated();
+  const Session session = session_with();
   EXPECT_EQ(session.run("calibrate turntable " + session.at("nowhere")).code, 2);
   session.edit("session/session.toml", "range_unit = \"m\"", "range_unit = \"mm\"");
   fs::rename(session.at("session/features.json"), session.at("features.json"));
@@ -128,14 +128,14 @@ TEST(Turntable, BadInputNamesFileAndRemedy) {
 }
 
 TEST(Turntable, TwoPositionsAreTooFew) {
-  const Session session = simulated("--positions 2 --features-only");
+  const Session session = session_with("--positions 2 --features-only");
   const auto done = session.calibrate();
   EXPECT_EQ(done.code, 2);
   EXPECT_THAT(done.err, AllOf(HasSubstr("session.toml"), HasSubstr("at least 3")));
 }
 
 TEST(Turntable, MissingScansAreListedAndLeftOut) {
-  const Session session = simulated();
+  const Session session = session_with();
   fs::remove(session.at("session/features.json"));
   fs::remove(session.at("session/scan_0004.csv"));
   const auto done = session.run("assemble " + session.at("session") + " --rig " +

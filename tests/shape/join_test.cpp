@@ -135,6 +135,35 @@ TEST(ClusterJoiner, EmptyClustersStayAsTheyAre) {
   }
 }
 
+Box2 leg(double x_m, double y_m) { return {{x_m, y_m}, 0, 0.13, 0.13}; }
+
+std::size_t objects_of(const std::vector<Box2>& boxes, double limb_m = JoinOptions{}.limb_m) {
+  RandomStream random(3);
+  const Snapshot shot = look(boxes, {}, random);
+  JoinOptions options;
+  options.limb_m = limb_m;
+  ClusterJoiner join(options, {}, {});
+  return join(shot.scan, shot.clusters, {}).size();
+}
+
+TEST(ClusterJoiner, TwoLegsWithinAStrideAreOnePerson) {
+  EXPECT_EQ(objects_of({leg(2, 0), leg(2.3, 0.25)}), 1u);
+  EXPECT_EQ(objects_of({leg(2, 0), leg(2.3, 0.25)}, 0), 2u);
+}
+
+TEST(ClusterJoiner, FourLegsInARowAreTwoPeople) {
+  EXPECT_EQ(objects_of({leg(3, -0.5), leg(3, -0.3), leg(3, 0.2), leg(3, 0.4)}), 2u);
+}
+
+TEST(ClusterJoiner, WhatStandsFartherThanAStrideOrIsNoLimbStaysApart) {
+  EXPECT_EQ(objects_of({leg(2, 0), leg(2, 0.7)}), 2u);
+  EXPECT_EQ(objects_of({leg(2, 0), Box2{{2, 0.5}, kPi / 2, 0.5, 0.2}}), 2u);
+}
+
+TEST(ClusterJoiner, OfThreeLimbsTheNearestTwoAreAPair) {
+  EXPECT_EQ(objects_of({leg(3, 0), leg(3, 0.25), leg(3, 0.6)}), 2u);
+}
+
 TEST(ClusterJoiner, AnEmptyScanHasNothingToJoin) {
   auto join = joiner();
   const Expected expected{kCar, 0.1, ObjectClass::kVehicle};

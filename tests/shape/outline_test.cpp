@@ -95,7 +95,9 @@ TEST(Outline, DegenerateClustersGiveFiniteOutlines) {
     clusters.indices.insert(clusters.indices.end(), group.begin(), group.end());
     clusters.close();
   }
-  OutlineExtractor extract;
+  ShapeOptions options;
+  options.join.limb_m = 0;  // they would be legs
+  OutlineExtractor extract(options);
   const auto outlines = extract(scan, clusters);
   ASSERT_EQ(outlines.size(), 5u);
   EXPECT_EQ(outlines[1].points, 0);

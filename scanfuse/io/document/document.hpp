@@ -14,10 +14,12 @@
 /// TOML and JSON files that hold more than options: one tree for both, and checked access to it.
 namespace scanfuse::io {
 
+struct DocumentMember;
+
 /// A value of a document and where it stands ("rig.toml:3:7", "features.json: positions[4].scan").
 struct DocumentNode {
   using Array = std::vector<DocumentNode>;
-  using Table = std::vector<std::pair<std::string, DocumentNode>>;
+  using Table = std::vector<DocumentMember>;
 
   /// Nothing (JSON null), or a value. Whole numbers are doubles too.
   std::variant<std::monostate, bool, double, std::string, Array, Table> value;
@@ -26,6 +28,12 @@ struct DocumentNode {
 
   [[nodiscard]] const Array* array() const { return std::get_if<Array>(&value); }
   [[nodiscard]] const double* number() const { return std::get_if<double>(&value); }
+};
+
+/// A member of a table.
+struct DocumentMember {
+  std::string name;
+  DocumentNode node;
 };
 
 /// Errors name line and column (TOML) or byte (JSON). Numbers that are not finite are nothing.

@@ -23,7 +23,7 @@ DocumentNode::Table table_from_toml(const toml::table& table, int depth) {
   DocumentNode::Table members;
   members.reserve(table.size());
   for (const auto& [key, item] : table) {
-    members.emplace_back(std::string(key.str()), from_toml(item, depth + 1));
+    members.push_back({std::string(key.str()), from_toml(item, depth + 1)});
   }
   return members;
 }
@@ -90,7 +90,7 @@ class DocumentHandler {
       array->push_back(std::move(node));
     } else {
       std::get<DocumentNode::Table>(open_.back().value)
-          .emplace_back(std::move(keys_.back()), std::move(node));
+          .push_back({std::move(keys_.back()), std::move(node)});
     }
     return true;
   }
