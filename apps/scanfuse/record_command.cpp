@@ -56,9 +56,9 @@ int run_record(RecordRequest request, const CommonOptions& common) {
   if (!scans) return report_error(scans.error());
   if (auto done = writer->finish(); !done) return report_error(done.error());
   if (request.json) {
-    const nlohmann::json json{
+    const nlohmann::json told{
         {"output", request.out}, {"scans", *scans}, {"sensors", sensors_json(**reader)}};
-    fmt::print("{}\n", json.dump(2));
+    fmt::print("{}\n", told.dump(2));
   } else if (!common.quiet) {
     print_sensors(**reader);
   }

@@ -33,7 +33,7 @@ class LabelsTest : public ::testing::Test {
   }
 
   std::unique_ptr<Workbench> bench_;
-  std::shared_ptr<const Run> run_;
+  std::shared_ptr<const serve::Run> run_;
   std::vector<std::int64_t> tracks_;
   Labels labels_;
 };

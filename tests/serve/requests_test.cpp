@@ -28,7 +28,7 @@ TEST(Requests, AreReadWithTheirNumbers) {
 }
 
 TEST(Requests, WhatIsWrongIsSaidInWords) {
-  for (const std::string text :
+  for (const std::string& text :
        {std::string(""),
         std::string("["),
         std::string("[]"),

@@ -79,7 +79,7 @@ TEST(Server, RefusesForeignHostsAndMethods) {
 
 TEST(Server, ClosesOnWhatIsNoHttp) {
   const Echo echo;
-  for (const std::string text :
+  for (const std::string& text :
        {std::string("\x16\x03\x01\x02", 4), std::string("GET\r\n\r\n"), std::string(20000, 'a'),
         std::string("GET / HTTP/1.1\r\nHost: ") + std::string(9000, 'h') + "\r\n\r\n"}) {
     RawClient client(echo.server->port());
