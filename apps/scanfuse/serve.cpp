@@ -3,6 +3,7 @@
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <optional>
 #include <thread>
 
 #include "scanfuse/drivers/transport/device_server.hpp"
@@ -48,12 +49,14 @@ Result<Duration> play(const ServeRequest& request, const ServedDevice& served,
   if (!simulation) return tl::unexpected(simulation.error());
   const auto turn = duration_from_seconds(1 / simulation->sensor().rate_hz);
   Duration end = begin;
+  std::optional<Time> first;
   while (!interrupted) {
     // A machine that simulates more slowly than time goes leaves scans out, and stays in time.
     const bool is_late = SteadyClock::now() > clock.steady + end;
     auto frame = is_late ? simulation->next_truth() : simulation->next();
     if (!frame) break;
-    const Duration at = begin + frame->scan.stamp.time_since_epoch();
+    if (!first) first = frame->scan.stamp;
+    const Duration at = begin + (frame->scan.stamp - *first);
     end = at + turn;
     if (is_late) continue;
     std::this_thread::sleep_until(clock.steady + at - kAhead);

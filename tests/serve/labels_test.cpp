@@ -14,7 +14,7 @@ using Action = LabelRequest::Action;
 class LabelsTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    bench_ = scanfuse::testing::simulated_bench(40);
+    bench_ = scanfuse::testing::simulated_bench(70);
     ASSERT_TRUE(bench_);
     run_ = bench_->run(RunName::kMain);
     for (const auto& event : run_->events(0)) {

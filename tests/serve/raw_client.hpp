@@ -76,8 +76,9 @@ class RawClient {
     if (payload.size() < 126) {
       frame += static_cast<char>(0x80 | payload.size());
     } else {
-      frame += static_cast<char>(0x80 | 127);
-      for (int shift = 56; shift >= 0; shift -= 8) {
+      const bool is_long = payload.size() > 0xffff;  // the shortest form, as RFC 6455 wants it
+      frame += static_cast<char>(0x80 | (is_long ? 127 : 126));
+      for (int shift = is_long ? 56 : 8; shift >= 0; shift -= 8) {
         frame += static_cast<char>(static_cast<std::uint64_t>(payload.size()) >> shift & 0xff);
       }
     }
