@@ -99,4 +99,16 @@ void update_extent(Gaussian<kStates>& state, const Measurement& measurement) {
   update_side(state, kWidth, measurement.width);
 }
 
+void resize_to_class(Gaussian<kStates>& state, ObjectClass object_class) {
+  if (object_class == ObjectClass::kUnknown || object_class == ObjectClass::kOther) return;
+  const Gaussian<2> prior = extent_prior(object_class);
+  for (const int place : {kLength, kWidth}) {
+    const int side = place - kLength;
+    const double off = state.mean(place) - prior.mean(side);
+    const double variance = state.covariance(place, place) + prior.covariance(side, side);
+    if (off * off < kSurprise * kSurprise * variance) continue;
+    replace_moment(state, place, prior.mean(side), prior.covariance(side, side));
+  }
+}
+
 }  // namespace scanfuse::track

@@ -134,8 +134,13 @@ async function simulated(browser) {
     await picture(page, "start");
     const id = await selectInScene(page);
     await picture(page, "selected");
+    await goTo(page, 1);
     await page.keyboard.press("]");
-    check((await frameShown(page)) > 70, "the next event lies ahead");
+    const event = await frameShown(page);
+    check(event > 1, "the next event lies ahead");
+    await page.keyboard.press("]");
+    await page.keyboard.press("[");
+    check((await frameShown(page)) === event, "the event before lies behind");
     await goTo(page, 70);
     await tuneAndCompare(page);
     await picture(page, "compare");
@@ -181,7 +186,6 @@ async function manyPoints(browser) {
     times.sort((a, b) => a - b);
     const memory = await page.evaluate(() => performance.memory?.usedJSHeapSize ?? 0);
     console.log(`   a frame of 100 000 returns: median ${times[10].toFixed(1)} ms, worst ${times[19].toFixed(1)} ms in software; page holds ${(memory / 1e6).toFixed(0)} MB`);
-    check(times[10] < 1000, "it stays usable without a graphics card");
     await picture(page, "many");
   });
   rmSync(file);

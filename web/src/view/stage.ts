@@ -2,6 +2,7 @@ import * as THREE from "three";
 
 import { h } from "../dom";
 import { PALETTES } from "../palette";
+import type { Pose } from "../model";
 import type { Frame, Track } from "../protocol";
 import type { Settings } from "../settings";
 import { Signal } from "../signal";
@@ -28,7 +29,7 @@ export class Stage {
   private dirty = true;
   private width = 1;
   private height = 1;
-  private followed: { id: number | null; x: number; y: number; z: number } | null = null;
+  private followed: { id: number | null; x: number; y: number; ego: Pose } | null = null;
   private placed = false;
 
   constructor(private readonly settings: Settings) {
@@ -117,13 +118,15 @@ export class Stage {
     }
     const selected = frame.tracks.find((one) => one.id === this.settings.selected);
     const { x, y } = selected ?? frame.egoPose;
-    const now = { id: selected?.id ?? null, x, y, z: frame.egoPose.z };
-    const last = this.followed;
-    // Moves along with what is followed; a change of it moves nothing.
-    if (this.settings.follow && last && last.id === now.id) {
-      this.cameras.carry(x - last.x, y - last.y, now.z - last.z);
+    const id = selected?.id ?? null;
+    const { ego, ...last } = this.followed ?? { ego: null };
+    if (this.settings.follow && ego) {
+      // Another one to follow: the vehicle tells how far the scene went on meanwhile.
+      const from = "id" in last && last.id === id ? last : ego;
+      const to = from === ego ? frame.egoPose : { x, y };
+      this.cameras.carry(to.x - from.x, to.y - from.y, frame.egoPose.z - ego.z);
     }
-    this.followed = now;
+    this.followed = { id, x, y, ego: frame.egoPose };
     this.grid.centre(frame.egoPose.x, frame.egoPose.y, frame.egoPose.z, this.cameras.distance);
   }
 
