@@ -1,6 +1,6 @@
 """Track a road and score it.
 
-Simulates a road with three cars as an ibeo LUX sees it, tracks it, scores the tracks against the
+Simulates a road with two cars as an ibeo LUX sees it (or reads a recording), tracks it, scores the tracks against the
 truth, and draws what was found.
 
     PYTHONPATH=build/release/python python3 examples/01_track_a_road.py [RECORDING]
@@ -44,8 +44,8 @@ figure, (above, below) = plt.subplots(2, 1, figsize=(9, 6), layout="constrained"
 for track_id in sorted(set(tracks["track_id"][shown])):
     of = shown & (tracks["track_id"] == track_id)
     above.plot(tracks["x_m"][of], tracks["y_m"][of], label=f"track {track_id}")
-    below.plot(tracks["time_s"][of], tracks["speed_m_per_s"][of])
+    below.plot(tracks["time_s"][of] - tracks["time_s"][0], tracks["speed_m_per_s"][of])
 above.set(xlabel="x, m", ylabel="y, m", title="where the tracks went")
 above.legend(loc="upper left", ncols=6, fontsize="small")
 below.set(xlabel="time, s", ylabel="speed, m/s")
-figure.savefig("01_track_a_road.png", dpi=110)
+figure.savefig("01_track_a_road.png", dpi=70)

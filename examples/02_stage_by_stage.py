@@ -39,4 +39,4 @@ for detection in detections:
     axes.plot(corners[ring, 0], corners[ring, 1], color="black", linewidth=1)
     axes.annotate(f"{detection.object_class} {detection.score:.2f}", corners[0], fontsize=8)
 axes.set(xlabel="x, m", ylabel="y, m", aspect="equal", xlim=(-5, 60), ylim=(-20, 20))
-figure.savefig("02_stage_by_stage.png", dpi=110)
+figure.savefig("02_stage_by_stage.png", dpi=70)

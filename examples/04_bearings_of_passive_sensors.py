@@ -51,4 +51,4 @@ axes.scatter(places[:, 0], places[:, 1], marker="^", color="black", label="senso
 axes.scatter(targets[:, 0], targets[:, 1], marker="x", color="black", label="truth")
 axes.set(xlabel="x, m", ylabel="y, m", aspect="equal", xlim=(-300, 6300), ylim=(-300, 6300))
 axes.legend(loc="upper right")
-figure.savefig("04_bearings_of_passive_sensors.png", dpi=110)
+figure.savefig("04_bearings_of_passive_sensors.png", dpi=70)

@@ -36,5 +36,6 @@ figure = plt.figure(figsize=(8, 6), layout="constrained")
 axes = figure.add_subplot(projection="3d")
 thin = cloud.xyz[:: max(1, len(cloud) // 20000)]
 axes.scatter(thin[:, 0], thin[:, 2], -thin[:, 1], s=1, c=thin[:, 2], cmap="viridis")
+axes.set_box_aspect(np.ptp(thin, axis=0)[[0, 2, 1]])
 axes.set(xlabel="right, m", ylabel="ahead, m", zlabel="up, m")
-figure.savefig("05_turntable.png", dpi=110)
+figure.savefig("05_turntable.png", dpi=70)

@@ -15,12 +15,12 @@ using pipeline::ScanFeed;
 class Recording {
  public:
   Recording(const std::filesystem::path& path, std::vector<std::string> topics,
-            std::string ego_topic, const std::filesystem::path& ego,
+            std::string ego_topic, const std::optional<std::filesystem::path>& ego,
             const std::optional<Eigen::Matrix4d>& mount, bool paper_axes) {
     pipeline::FeedOptions feed;
     feed.ego_topic = std::move(ego_topic);
     if (mount) feed.mount = pose_of(*mount);
-    if (!ego.empty()) feed.ego = value_or_throw(io::read_ego(ego));
+    if (ego) feed.ego = value_or_throw(io::read_ego(*ego));
     feed_.emplace(value_or_throw(io::open_recording(path, {std::move(topics), paper_axes})),
                   std::move(feed));
   }
@@ -53,10 +53,11 @@ void bind_recording(py::module_& module) {
                         "A recording of any format that scanfuse reads, as an iterator of "
                         "PosedScan; never loaded whole.")
       .def(py::init<const std::filesystem::path&, std::vector<std::string>, std::string,
-                    const std::filesystem::path&, const std::optional<Eigen::Matrix4d>&, bool>(),
+                    const std::optional<std::filesystem::path>&,
+                    const std::optional<Eigen::Matrix4d>&, bool>(),
            py::arg("path"), py::kw_only(), py::arg("topics") = std::vector<std::string>{},
-           py::arg("ego_topic") = "", py::arg("ego") = std::filesystem::path{},
-           py::arg("mount") = py::none(), py::arg("paper_axes") = false,
+           py::arg("ego_topic") = "", py::arg("ego") = py::none(), py::arg("mount") = py::none(),
+           py::arg("paper_axes") = false,
            "`mount`: ego_from_sensor, 4 x 4; `ego`: a CSV of poses beside the recording.")
       .def("__iter__", [](const py::object& self) { return self; })
       .def("__next__",

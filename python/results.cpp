@@ -44,17 +44,18 @@ void bind_detection(py::module_& module) {
                         "One object seen in one scan. Give a Tracker your own, in a frame that "
                         "does not move.")
       .def(py::init([](const Box2& box, const std::string& object_class, double score,
-                       const Eigen::Matrix3d& covariance) {
+                       const std::optional<Eigen::Matrix3d>& covariance) {
              Detection detection;
              detection.box = box;
              detection.object_class = class_of(object_class);
              detection.score = score;
-             detection.covariance = covariance;
+             detection.covariance = covariance.value_or(
+                 Eigen::Vector3d(0.09, 0.09, 0.04).asDiagonal().toDenseMatrix());
              return detection;
            }),
            py::arg("box"), py::arg("object_class") = "vehicle", py::arg("score") = 1.0,
-           py::arg("covariance") = Eigen::Matrix3d(Eigen::Vector3d(0.09, 0.09, 0.04).asDiagonal()),
-           "`covariance`: of x, y (m) and heading (rad).")
+           py::arg("covariance") = py::none(),
+           "`covariance`: of x, y (m) and heading (rad); none: 0.3 m and 0.2 rad.")
       .def_readwrite("box", &Detection::box)
       .def_property(
           "object_class", [](const Detection& d) { return std::string(to_string(d.object_class)); },

@@ -18,16 +18,36 @@ import numpy
 '''
 
 
+def without_defaults(signature):
+    """A signature with `...` for every default: some of them are no Python."""
+    kept, depth, skipping, quote = "", 0, False, ""
+    for k, letter in enumerate(signature):
+        if quote:
+            quote = "" if letter == quote else quote
+        elif letter in "'\"":
+            quote = letter
+        elif letter in "([{<":
+            depth += 1
+        elif letter in ")]}" or (letter == ">" and signature[k - 1] != "-"):
+            depth -= 1
+        if skipping and not quote and (depth == 0 or (depth == 1 and letter == ",")):
+            skipping = False
+        if not skipping:
+            kept += letter
+        if depth == 1 and not quote and kept.endswith(" = "):
+            kept, skipping = kept + "...", True
+    return kept
+
+
 def plain_types(text):
     """Types as Python spells them, without what only pybind11 knows."""
+    text = without_defaults(text)
     text = re.sub(r"numpy\.ndarray\[[^\[\]]*(\[[^\[\]]*\])?[^\[\]]*\]", "numpy.ndarray", text)
     text = text.replace("scanfuse._scanfuse.", "").replace("_scanfuse.", "")
-    text = re.sub(r"\b(List)\[([^\[\]]*)\[\d+\]\]", r"\1[\2]", text)  # List[float[2]]
-    text = re.sub(r"(\w+)\[(\d+)\]", r"\1", text)
-    text = re.sub(r" = [^,)=]*?(?=, \w+:|\)|, \*)", " = ...", text)
-    text = re.sub(r"= array\(.*?\)(?=[,)])", "= ...", text)
-    text = text.replace("os.PathLike", "Union[str, os.PathLike]").replace("object", "Any")
-    return text.replace("handle", "Any")
+    text = re.sub(r"(\w+)\[(\d+)\]", r"\1", text)  # float[2]
+    text = re.sub(r"\b(List\[[^\[\]]*\])\[\d+\]", r"\1", text)  # List[float][3]
+    text = text.replace("os.PathLike", "Union[str, os.PathLike]")
+    return re.sub(r"\b(object|handle)\b", "Any", text)
 
 
 def signatures(doc):

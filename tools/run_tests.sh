@@ -82,7 +82,8 @@ if [ -f tests/npm/package.json ] && command -v npm > /dev/null && [ ! -d tests/n
   npm ci --prefix tests/npm --no-audit --no-fund > "$log" 2>&1 || echo "npm packages could not be had"
 fi
 step "style" tools/check_style.sh
-step "build (GCC, release)" build release -DSCANFUSE_BUILD_TESTS=ON -DSCANFUSE_BUILD_BENCH=ON
+step "build (GCC, release)" build release \
+  -DSCANFUSE_BUILD_TESTS=ON -DSCANFUSE_BUILD_BENCH=ON -DSCANFUSE_BUILD_PYTHON=ON
 suite "tests (GCC, release)" release
 step "the viewer: types, tests, the built page, a browser" tools/check_viewer.sh build/release/scanfuse
 step "install, then build and run a user's project" install_and_consume

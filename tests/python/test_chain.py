@@ -8,7 +8,8 @@ import scanfuse
 
 def test_the_pipeline_follows_the_cars(drive, results):
     truth = [frame.truth for frame in drive[0]]
-    score = scanfuse.evaluate(results, truth, scanfuse.EvaluateOptions(min_visible_points=3))
+    road = scanfuse.EvaluateOptions(min_visible_points=3, region_y0_m=-2, region_y1_m=5.4)
+    score = scanfuse.evaluate(results, truth, road)
     assert score["frames"] == 60
     assert score["clear"]["MOTA"] > 0.8
     assert score["rmse"]["position_m"] < 0.5
