@@ -29,13 +29,19 @@ cloud = scanfuse.assemble(session / "scan", rig)
 disc = scanfuse.measure_disc(cloud, rig=rig)
 print(f"{len(cloud)} points; disc {disc['diameter_m']!r} m at {disc['centre_m']}")
 
-# %% How sure the axis is, and what the cloud looks like
+# %% How sure the axis is, and the points on the disc
 sigmas = np.sqrt(np.diag(rig.covariance)[:2])
 print(f"axis direction +- {np.degrees(np.linalg.norm(sigmas)):.4f} deg")
-figure = plt.figure(figsize=(8, 6), layout="constrained")
-axes = figure.add_subplot(projection="3d")
-thin = cloud.xyz[:: max(1, len(cloud) // 20000)]
-axes.scatter(thin[:, 0], thin[:, 2], -thin[:, 1], s=1, c=thin[:, 2], cmap="viridis")
-axes.set_box_aspect(np.ptp(thin, axis=0)[[0, 2, 1]])
-axes.set(xlabel="right, m", ylabel="ahead, m", zlabel="up, m")
+near = cloud.xyz[np.linalg.norm(cloud.xyz - disc["centre_m"], axis=1) < 0.25]
+right = np.cross([0, 1, 0], disc["normal"])
+right /= np.linalg.norm(right)
+axes_of_plane = np.stack([right, np.cross(right, disc["normal"])], axis=1)
+flat = 1e3 * (near - disc["centre_m"]) @ axes_of_plane
+figure, axes = plt.subplots(figsize=(7, 6), layout="constrained")
+points = axes.scatter(*flat.T, s=2, c=near[:, 2], cmap="viridis")
+radius = 1e3 * float(disc["diameter_m"]) / 2
+axes.add_patch(plt.Circle((0, 0), radius, fill=False, color="red"))
+axes.set(xlabel="in its plane, mm", ylabel="in its plane, mm", aspect="equal",
+         title=f"disc of {2 * radius:.2f} +- {1e3 * disc['diameter_m'].sigma:.2f} mm")
+figure.colorbar(points, label="distance ahead, m")
 figure.savefig("05_turntable.png", dpi=70)
