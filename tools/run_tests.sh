@@ -65,7 +65,7 @@ install_and_consume() {
 }
 
 fuzz_all() {
-  local seconds=${SCANFUSE_FUZZ_SECONDS:-60} binary name
+  local seconds=${SCANFUSE_FUZZ_SECONDS:-25} binary name
   export seconds
   for binary in build/asan/fuzz/*_fuzz; do basename "$binary"; done |
     xargs -P "$(nproc)" -I{} bash -c '
@@ -92,7 +92,7 @@ if wants asan || wants fuzz; then
   step "build (Clang, address and undefined-behaviour sanitizers)" build asan
 fi
 if wants asan; then suite "tests (sanitizers)" asan -LE slow; fi
-if wants fuzz; then step "fuzz every reader for ${SCANFUSE_FUZZ_SECONDS:-60} s" fuzz_all; fi
+if wants fuzz; then step "fuzz every reader for ${SCANFUSE_FUZZ_SECONDS:-25} s" fuzz_all; fi
 if wants tsan; then
   step "build (Clang, thread sanitizer)" build_threaded
   suite "tests (thread sanitizer)" tsan -R '^(Parallel|Server|Workbench|ViewerTest)'
