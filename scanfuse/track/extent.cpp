@@ -99,15 +99,16 @@ void update_extent(Gaussian<kStates>& state, const Measurement& measurement) {
   update_side(state, kWidth, measurement.width);
 }
 
-void resize_to_class(Gaussian<kStates>& state, ObjectClass object_class) {
-  if (object_class == ObjectClass::kUnknown || object_class == ObjectClass::kOther) return;
-  const Gaussian<2> prior = extent_prior(object_class);
+void resize_to_class(Gaussian<kStates>& state, ObjectClass before, ObjectClass now) {
+  if (now == before || now == ObjectClass::kUnknown || now == ObjectClass::kOther) return;
+  const Gaussian<2> was = extent_prior(before), is = extent_prior(now);
   for (const int place : {kLength, kWidth}) {
     const int side = place - kLength;
-    const double off = state.mean(place) - prior.mean(side);
-    const double variance = state.covariance(place, place) + prior.covariance(side, side);
-    if (off * off < kSurprise * kSurprise * variance) continue;
-    replace_moment(state, place, prior.mean(side), prior.covariance(side, side));
+    const double variance = state.covariance(place, place);
+    if (variance < was.covariance(side, side) / 2) continue;
+    const double off = state.mean(place) - is.mean(side);
+    if (off * off < kSurprise * kSurprise * (variance + is.covariance(side, side))) continue;
+    replace_moment(state, place, is.mean(side), is.covariance(side, side));
   }
 }
 

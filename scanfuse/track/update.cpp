@@ -141,11 +141,11 @@ void update_class(Target& target, const Detection& detection, Time stamp,
   target.class_weight[static_cast<std::size_t>(detection.object_class)] +=
       std::clamp(detection.score, 0.0, 1.0);
   believe(target, detection, stamp, options.belief.get());
+  if (options.measurement != MeasuredAs::kBox) return;
   const ObjectClass now = user_class_of(target);
-  if (now == before || options.measurement != MeasuredAs::kBox) return;
-  resize_to_class(target.state, now);
+  resize_to_class(target.state, before, now);
   if (options.motion != Motion::kImm) return;
-  for (auto& mode : target.modes) resize_to_class(mode, now);
+  for (auto& mode : target.modes) resize_to_class(mode, before, now);
 }
 
 /// All of an update but the state.
