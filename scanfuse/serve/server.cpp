@@ -161,8 +161,8 @@ class Server::State::Socket : public std::enable_shared_from_this<Socket> {
   void close() {
     is_closing_ = true;
     error_code ignored;
-    beast::get_lowest_layer(stream_).socket().shutdown(tcp::socket::shutdown_both, ignored);
-    beast::get_lowest_layer(stream_).socket().close(ignored);
+    (void)beast::get_lowest_layer(stream_).socket().shutdown(tcp::socket::shutdown_both, ignored);
+    (void)beast::get_lowest_layer(stream_).socket().close(ignored);
   }
 
   [[nodiscard]] ClientId id() const { return id_; }
@@ -263,7 +263,7 @@ class Server::State::Connection : public std::enable_shared_from_this<Connection
                         if (error) return;
                         if (keep_alive) return self->read();
                         error_code ignored;
-                        self->stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
+                        (void)self->stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
                       });
   }
 
@@ -284,7 +284,7 @@ void Server::State::accept() {
       });
     }
     if (connections < 4 * options.max_clients + 16) {
-      socket.set_option(tcp::no_delay(true), error);
+      (void)socket.set_option(tcp::no_delay(true), error);
       std::make_shared<Connection>(std::move(socket), *this)->read();
     } else {
       refused.fetch_add(1);  // closed as it goes out of scope
@@ -315,12 +315,12 @@ error_code listen(tcp::acceptor& acceptor, const net::ip::address& address,
   const int tries = options.port != 0 && options.next_free_port ? kPortsTried : 1;
   for (int i = 0; i < tries && options.port + i < 65536; ++i) {
     const tcp::endpoint place(address, static_cast<unsigned short>(options.port + i));
-    acceptor.close(error);
-    acceptor.open(place.protocol(), error);
+    (void)acceptor.close(error);
+    (void)acceptor.open(place.protocol(), error);
     if (error) return error;
-    acceptor.set_option(net::socket_base::reuse_address(true), error);
-    acceptor.bind(place, error);
-    if (!error) acceptor.listen(net::socket_base::max_listen_connections, error);
+    (void)acceptor.set_option(net::socket_base::reuse_address(true), error);
+    (void)acceptor.bind(place, error);
+    if (!error) (void)acceptor.listen(net::socket_base::max_listen_connections, error);
     if (error != net::error::address_in_use) return error;
   }
   return error;

@@ -21,7 +21,7 @@ struct Vlp16Echo {
 /// Two firings of all channels.
 struct Vlp16Block {
   std::uint16_t azimuth = 0;  ///< of the first, hundredths of a degree, clockwise from above
-  std::array<Vlp16Echo, 2 * kChannels> echoes;
+  std::array<Vlp16Echo, std::size_t{2} * kChannels> echoes;
 };
 
 enum class ReturnMode : std::uint8_t { kStrongest = 0x37, kLast = 0x38, kDual = 0x39 };
