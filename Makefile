@@ -4,7 +4,7 @@ INPUT ?=
 OUT ?= out
 JOBS ?= $(shell nproc)
 
-.PHONY: all setup build run test bench format check clean
+.PHONY: all setup build run python test bench format check clean
 
 all: build
 
@@ -19,8 +19,14 @@ build: setup  ## build/release/scanfuse
 run: build  ## tracks the paper's second scenario and, if given, INPUT=recording
 	@tools/run_demo.sh "$(OUT)" "$(INPUT)"
 
+python: setup  ## `import scanfuse`, in build/release/python
+	@tools/install_packages.sh python
+	@cmake --preset release -DSCANFUSE_BUILD_PYTHON=ON > /dev/null
+	@cmake --build --preset release -j $(JOBS) --target scanfuse_python_package
+	@echo "PYTHONPATH=$(CURDIR)/build/release/python python3 -c 'import scanfuse; help(scanfuse)'"
+
 test: ## unit tests, end-to-end tests, layers, format, install
-	@tools/install_packages.sh build test bench
+	@tools/install_packages.sh build test python bench
 	@tools/run_tests.sh
 
 bench: ## accuracy and speed, with peers where they are installed

@@ -8,6 +8,9 @@ function(scanfuse_room name)
     add_library(${target} STATIC ${sources})
     set(scope PUBLIC)
     target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:scanfuse_options>)
+    if(SCANFUSE_BUILD_FUZZ)  # the fuzzer steers by the rooms' branches
+      target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
+    endif()
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON
                           UNITY_BUILD_BATCH_SIZE ${SCANFUSE_UNITY_BATCH})
   else()

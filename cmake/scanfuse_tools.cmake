@@ -21,10 +21,6 @@ if(SCANFUSE_SANITIZE)
   add_link_options(-fsanitize=${SCANFUSE_SANITIZE})
 endif()
 
-if(SCANFUSE_BUILD_FUZZ)
-  add_compile_options(-fsanitize=fuzzer-no-link)  # the fuzzer steers by the rooms' branches
-endif()
-
 if(SCANFUSE_FAST_TOOLS)
   find_program(SCANFUSE_CCACHE ccache)
   if(SCANFUSE_CCACHE)

@@ -14,6 +14,7 @@ MAY_USE = {
     "types": {"core", "geometry"},
     **{stage: set(LOW) for stage in STAGES},
     "pipeline": LOW | STAGES,
+    "serve": LOW | STAGES | {"pipeline"},
 }
 # The written exceptions.
 MAY_USE["track"] |= {"estimate", "associate"}

@@ -11,6 +11,7 @@ if [ "${1:-}" = --tidy ]; then
   cmake --preset tidy > /dev/null
   # The unity batches, not file by file: Eigen's and fmt's headers are then read once for six.
   sed -n 's/^  "file": "\(.*\)",\{0,1\}$/\1/p' build/tidy/compile_commands.json |
+    grep -E '\.(cpp|cxx)$' |
     xargs -P "$(nproc)" -n 1 clang-tidy-19 -p build/tidy --quiet 2> /dev/null
   echo "clang-tidy is fine"
 fi

@@ -20,8 +20,14 @@ track() {
 track lu2018-2 "$out/lu2018-2-scans.mcap"
 "$tool" evaluate "$out/lu2018-2.mcap" --truth "$out/lu2018-2-scans.mcap" \
   --min-visible-points 3 --region=-1e6,1e6,-2,5.4 --gospa-c-m 3
+shown="$out/lu2018-2-scans.mcap"
 if [ -n "$input" ]; then
   track "$(basename "${input%.*}")" "$input" ${TRACK_OPTIONS:-}
+  shown="$input ${TRACK_OPTIONS:-}"
 fi
 echo
 echo "Look at $out/lu2018-2.html in a browser; open $out/lu2018-2.mcap in Foxglove."
+if [ -t 1 ] && [ -z "${CI:-}" ]; then  # somebody is there: show it until Ctrl-C
+  exec "$tool" view $shown
+fi
+echo "In a browser: $tool view $shown"

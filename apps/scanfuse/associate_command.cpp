@@ -9,6 +9,7 @@
 #include "scanfuse/io/passive/passive.hpp"
 #include "scanfuse/io/tables.hpp"
 #include "scanfuse/triangulate/associate_scan.hpp"
+#include "view_run.hpp"
 
 namespace scanfuse::app {
 namespace {
@@ -29,6 +30,7 @@ struct AssociateArguments {
   double time_limit_s = 60;
   int best = 0;  ///< associations of each scan that are told of
   bool json = false;
+  bool view = false;
 };
 
 /// "associate.alpha=0.3" or "candidates.gate_probability=0.999".
@@ -290,6 +292,16 @@ int run_associate(const AssociateArguments& arguments, const CommonOptions& comm
   return interrupted ? kInterrupted : code;
 }
 
+int view_associated(const AssociateArguments& arguments, const CommonOptions& common) {
+  const auto options = association_options(arguments);
+  if (!options) return report_error(options.error());
+  ViewRequest request;
+  request.track.input = arguments.bearings;
+  request.track.sensors = arguments.sensors;
+  request.association = *options;
+  return run_view(std::move(request), common);
+}
+
 std::string associate_help() {
   return "Settings (--set SECTION.NAME=VALUE):\n" +
          settings_help(view_options("associate", AssociationOptions{})) +
@@ -328,8 +340,17 @@ void add_associate(Tool& tool) {
   app->add_option("--set", arguments->sets, "Change a setting: section.name=value")
       ->allow_extra_args(false);
   app->add_flag("--json", arguments->json, "One JSON object on stdout");
+  app->add_flag(
+      "--view", arguments->view,
+      "Then look at lines of sight and fixes in a browser, as `scanfuse view` shows them");
   app->footer(associate_help());
-  app->callback([arguments, tool] { *tool.exit_code = run_associate(*arguments, *tool.common); });
+  app->callback([arguments, tool] {
+    int& code = *tool.exit_code;
+    code = run_associate(*arguments, *tool.common);
+    if (!arguments->view || (code != kDone && code != kDamagedInput)) return;
+    if (const int served = view_associated(*arguments, *tool.common); served != kDone)
+      code = served;
+  });
 }
 
 }  // namespace scanfuse::app

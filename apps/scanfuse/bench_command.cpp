@@ -19,6 +19,7 @@ struct BenchRequest {
   RealData real;
   std::string report;  ///< passive: measure curves and draw them here
   bool json = false;
+  double seconds = 60;  ///< live: how long
 };
 
 /// The table of `bench passive`, or with --report its curves.
@@ -92,6 +93,11 @@ const std::vector<Benchmark>& benchmarks() {
        SeedRange{}, TunedSeeds{},
        [](Request request, const SeedRange& seeds) {
          return bench_speed(seeds.first, request.preset, request.changes);
+       }},
+      {"live", "three simulated sensors at full rate with faults: latency, stalls, memory, counts",
+       SeedRange{}, TunedSeeds{},
+       [](Request request, const SeedRange&) {
+         return bench_live(request.seconds, request.preset);
        }},
   };
   return all;
@@ -203,7 +209,7 @@ void add_bench(Tool& tool) {
   app->add_option("name", request->name, "Which benchmark; none: list them");
   app->add_option("--seeds", request->seeds, "Random runs; 0: the benchmark's own number")
       ->check(CLI::Range(0, 100000));
-  app->add_option("--preset", request->preset, "Options to start from (track, speed)")
+  app->add_option("--preset", request->preset, "Options to start from (track, speed, live)")
       ->capture_default_str();
   app->add_option("--set", request->changes,
                   "Change an option: section.option=value (track, detect, speed)")
@@ -215,6 +221,9 @@ void add_bench(Tool& tool) {
                   "real: the road sequence's .bin files, if not in road/kitti_seq0000/velodyne");
   app->add_option("--report", request->report,
                   "passive: measure its curves in place of its table, and draw them: .html");
+  app->add_option("--seconds", request->seconds, "live: how long")
+      ->check(CLI::Range(10.0, 1e6))
+      ->capture_default_str();
   app->add_flag("--json", request->json, "One JSON object on stdout");
   app->footer(
       "--seed sets the first seed. Each benchmark's own seeds are none that served for tuning.\n"

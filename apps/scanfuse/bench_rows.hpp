@@ -123,4 +123,8 @@ struct RealData {
 /// docs/real-recordings.md states. What is not there is a row that says so.
 [[nodiscard]] Result<std::vector<BenchRow>> bench_real(const RealData& data, int threads);
 
+/// Three simulated sensors (SICK, ibeo, 16 layers) at full rate over loopback for `seconds`, with
+/// faults: from last byte to tracks, memory, stalls, and whether every fault was counted.
+[[nodiscard]] Result<std::vector<BenchRow>> bench_live(double seconds, const std::string& preset);
+
 }  // namespace scanfuse::app

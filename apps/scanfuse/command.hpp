@@ -50,6 +50,9 @@ void add_calibrate(Tool& tool);
 void add_calibrate_camera(CLI::App& calibrate, const Tool& tool);
 void add_assemble(Tool& tool);
 void add_measure(Tool& tool);
+void add_view(Tool& tool);
+void add_live(Tool& tool);
+void add_record(Tool& tool);
 
 /// Prints "scanfuse: error: ..." on stderr and returns kBadInput.
 int report_error(const Error& error);

@@ -6,12 +6,14 @@
 #include "command.hpp"
 #include "scanfuse/io/recording.hpp"
 #include "scanfuse/io/text/numbers.hpp"
+#include "scanfuse/pipeline/capture_reader.hpp"
 
 namespace scanfuse::app {
 namespace {
 
 struct InfoOptions {
   std::string input;
+  std::string sensor;
   bool json = false;
   bool check = false;
 };
@@ -30,7 +32,7 @@ bool needs_reading(const io::RecordingInfo& info) {
 }
 
 Result<RecordingSummary> summarise(const InfoOptions& options, bool quiet) {
-  auto reader = io::open_recording(options.input);
+  auto reader = pipeline::open_any_recording(options.input, {}, {options.sensor, {}});
   if (!reader) return tl::unexpected(reader.error());
   RecordingSummary summary;
   if (options.check || needs_reading((*reader)->info())) {
@@ -151,6 +153,9 @@ void add_info(Tool& tool) {
   auto options = std::make_shared<InfoOptions>();
   CLI::App* command = tool.app->add_subcommand("info", "List what a recording holds");
   command->add_option("RECORDING", options->input, "A recording: a file or a folder")->required();
+  command->add_option(
+      "--sensor", options->sensor,
+      "Device that speaks in a capture (.pcap), if its ports do not tell: sick, ...");
   command->add_flag("--json", options->json, "One JSON object on stdout");
   command->add_flag("--check", options->check, "Read all of it, also where it has an index");
   command->footer("Example: scanfuse info drive.bag --json");

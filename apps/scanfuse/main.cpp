@@ -78,6 +78,9 @@ int run(int argc, char** argv) {
   add_calibrate(tool);
   add_assemble(tool);
   add_measure(tool);
+  add_view(tool);
+  add_live(tool);
+  add_record(tool);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

@@ -6,6 +6,7 @@
 #include "command.hpp"
 #include "scanfuse/io/mcap/recording_writer.hpp"
 #include "scanfuse/simulate/simulate.hpp"
+#include "serve.hpp"
 
 namespace scanfuse::app {
 namespace {
@@ -153,6 +154,8 @@ struct SimulateCommand {
   std::string out;
   std::string sensor = "lux";
   std::vector<std::string> sets;
+  std::vector<std::string> serve;
+  bool sensor_named = false;
   SimulateOptions options;
 };
 
@@ -167,10 +170,19 @@ Result<SimulateOptions> simulate_options(const SimulateCommand& command) {
   return options;
 }
 
+int run_serve(const SimulateCommand& command, const SimulateOptions& options,
+              const CommonOptions& common) {
+  ServeRequest request{command.scenario, command.serve, {}, options};
+  if (command.sensor_named) request.sensor = command.sensor;
+  if (auto done = serve_scenario(request, common); !done) return report_error(done.error());
+  return interrupted ? kInterrupted : kDone;
+}
+
 int run_simulate(const SimulateCommand& command, const CommonOptions& common) {
   catch_interrupts();
   const auto options = simulate_options(command);
   if (!options) return report_error(options.error());
+  if (!command.serve.empty()) return run_serve(command, *options, common);
   auto simulation = Simulation::create(command.scenario, common.seed, *options);
   if (!simulation) return report_error(simulation.error());
   auto output = open_simulated_output(command.out, simulation->ego_from_sensor());
@@ -196,7 +208,9 @@ std::string simulate_help() {
   for (const auto& view : view_options("simulate", SimulateOptions{})) {
     text += fmt::format("  {:<14} {} [{}; {}]\n", view.name, view.doc, view.fallback, view.range);
   }
-  return text + "Example:\n  scanfuse simulate lu2018-2 -o lu2018-2.mcap --seed 7\n";
+  return text +
+         "Examples:\n  scanfuse simulate lu2018-2 -o lu2018-2.mcap --seed 7\n"
+         "  scanfuse simulate lu2018-2 --serve sick:2112 --serve ibeo:12002\n";
 }
 
 }  // namespace
@@ -211,6 +225,9 @@ void add_simulate(Tool& tool) {
          "--sensor", command->sensor,
          "Lidar: lux, sick-lms111, sick-lms291, hokuyo-utm30, rplidar-a2, vlp16, hdl32, hdl64")
       ->capture_default_str();
+  app->add_option("--serve", command->serve,
+                  "Play devices instead, in real time: sick:2112, vlp16:2368, ...; may be repeated")
+      ->allow_extra_args(false);
   app->add_option("--frames", command->options.frames,
                   "Scans to make; 0: as long as the scenario is")
       ->check(CLI::Range(0, 1000000))
@@ -222,7 +239,8 @@ void add_simulate(Tool& tool) {
   app->callback([command, tool, app] {
     if (app->got_subcommand("passive") || app->got_subcommand("turntable")) return;
     if (command->scenario.empty()) throw CLI::RequiredError("scenario");
-    if (command->out.empty()) throw CLI::RequiredError("--output");
+    command->sensor_named = app->count("--sensor") > 0;
+    if (command->out.empty() && command->serve.empty()) throw CLI::RequiredError("--output");
     *tool.exit_code = run_simulate(*command, *tool.common);
   });
 }

@@ -5,6 +5,7 @@
 #include "track_outputs.hpp"
 #include "track_passive.hpp"
 #include "track_run.hpp"
+#include "view_run.hpp"
 
 namespace scanfuse::app {
 namespace {
@@ -86,6 +87,8 @@ void add_track(Tool& tool) {
   app->add_option("--frame", request->frame, "Frame of the results: world or ego");
   app->add_option("--topic", request->topics, "Only this scan topic; may be repeated")
       ->allow_extra_args(false);
+  app->add_option("--sensor", request->sensor,
+                  "Device that speaks in a capture (.pcap), if its ports do not tell: sick, ...");
   app->add_option("--ego-topic", request->ego_topic,
                   "Topic of the ego pose: Odometry, PoseStamped, PoseWithCovarianceStamped");
   app->add_option("--ego", request->ego_file, "Ego motion beside the recording, as CSV");
@@ -117,7 +120,17 @@ void add_track(Tool& tool) {
       "  scanfuse track 0000.txt --calib calib/0000.txt --frame-rate 10 -o tracks.csv\n"
       "  scanfuse track bearings.csv --sensors sensors.toml -o tracks.csv\n" +
       passive_track_help());
-  app->callback([&tool, request] { *tool.exit_code = run(*request, *tool.common); });
+  auto look = std::make_shared<bool>(false);
+  app->add_flag("--view", *look, "Then look at it in a browser, as `scanfuse view` does");
+  app->callback([&tool, request, look] {
+    int& code = *tool.exit_code;
+    code = run(*request, *tool.common);
+    if (!*look || (code != kDone && code != kDamagedInput)) return;
+    ViewRequest view;
+    view.track = *request;
+    view.again = true;
+    if (const int served = run_view(view, *tool.common); served != kDone) code = served;
+  });
 }
 
 }  // namespace scanfuse::app

@@ -6,6 +6,7 @@
 
 #include "scanfuse/io/tables.hpp"
 #include "scanfuse/io/toml.hpp"
+#include "scanfuse/pipeline/capture_reader.hpp"
 #include "track_outputs.hpp"
 
 namespace scanfuse::app {
@@ -56,29 +57,6 @@ Result<pipeline::FeedOptions> feed_options(const TrackRequest& request) {
   return options;
 }
 
-/// The topics to read: those asked for, and what tells where the ego is.
-Result<pipeline::ScanFeed> open_feed(const TrackRequest& request) {
-  io::OpenOptions open;
-  open.paper_axes = request.paper_axes;
-  auto reader = io::open_recording(request.input, open);
-  if (!reader) return tl::unexpected(reader.error());
-  std::vector<std::string> known;
-  for (const auto& topic : (*reader)->info().topics) known.push_back(topic.name);
-  auto wanted = request.topics;
-  if (!request.ego_topic.empty()) wanted.push_back(request.ego_topic);
-  for (const auto& topic : wanted) {
-    if (std::find(known.begin(), known.end(), topic) == known.end() && !known.empty()) {
-      return fail(Error::Code::kNotFound,
-                  "{}: no topic '{}'; did you mean '{}'? `scanfuse info` "
-                  "lists them",
-                  request.input, topic, nearest_name(topic, known));
-    }
-  }
-  auto options = feed_options(request);
-  if (!options) return tl::unexpected(options.error());
-  return pipeline::ScanFeed(std::move(*reader), std::move(*options));
-}
-
 bool is_wanted(const TrackRequest& request, const std::string& sensor) {
   return request.topics.empty() ||
          std::find(request.topics.begin(), request.topics.end(), sensor) != request.topics.end();
@@ -126,6 +104,29 @@ Result<void> track_all(const TrackRequest& request, pipeline::ScanFeed& feed,
 }
 
 }  // namespace
+
+/// The topics to read: those asked for, and what tells where the ego is.
+Result<pipeline::ScanFeed> open_feed(const TrackRequest& request) {
+  io::OpenOptions open;
+  open.paper_axes = request.paper_axes;
+  auto reader = pipeline::open_any_recording(request.input, open, {request.sensor, {}});
+  if (!reader) return tl::unexpected(reader.error());
+  std::vector<std::string> known;
+  for (const auto& topic : (*reader)->info().topics) known.push_back(topic.name);
+  auto wanted = request.topics;
+  if (!request.ego_topic.empty()) wanted.push_back(request.ego_topic);
+  for (const auto& topic : wanted) {
+    if (std::find(known.begin(), known.end(), topic) == known.end() && !known.empty()) {
+      return fail(Error::Code::kNotFound,
+                  "{}: no topic '{}'; did you mean '{}'? `scanfuse info` "
+                  "lists them",
+                  request.input, topic, nearest_name(topic, known));
+    }
+  }
+  auto options = feed_options(request);
+  if (!options) return tl::unexpected(options.error());
+  return pipeline::ScanFeed(std::move(*reader), std::move(*options));
+}
 
 Result<pipeline::PerceptionOptions> resolve_options(const TrackRequest& request) {
   auto options = pipeline::preset(request.preset);

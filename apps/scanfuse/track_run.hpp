@@ -26,6 +26,7 @@ struct TrackRequest {
   std::vector<std::string> set;
   std::string frame;
   std::vector<std::string> topics;
+  std::string sensor;  ///< device that speaks in a capture; empty: its ports tell
   std::string ego_topic;
   std::string ego_file;
   std::vector<double> mount;  ///< x, y, yaw
@@ -56,6 +57,9 @@ struct TrackOutcome {
 
 /// The options of the preset, then the file, then --set and --frame.
 [[nodiscard]] Result<pipeline::PerceptionOptions> resolve_options(const TrackRequest& request);
+
+/// The scans of the recording with the poses asked for: of all sensors, whatever topics are named.
+[[nodiscard]] Result<pipeline::ScanFeed> open_feed(const TrackRequest& request);
 
 [[nodiscard]] Result<TrackOutcome> run_track(const TrackRequest& request,
                                              const CommonOptions& common);

@@ -136,7 +136,7 @@ double refine_once(const Camera& camera, const BoardSpec& board, Corners corners
 /// Corners whose order is not that of a grid of this size miss it by a good part of a square.
 Result<BoardPose> accept(const Camera& camera, const BoardSpec& board, Corners corners,
                          const Pose3& pose, std::string_view name) {
-  const BoardPose found{pose, rms_of(camera, board, corners, pose)};
+  BoardPose found{pose, rms_of(camera, board, corners, pose)};
   const double square_px = camera.fx_px * board.square_m / std::abs(pose.translation_m.z());
   if (std::isfinite(found.rms_px) && pose.translation_m.z() > 0 &&
       found.rms_px < 0.15 * square_px) {

@@ -29,8 +29,8 @@ Line most_agreed(const std::vector<Vector2d>& points) {
   double least = std::numeric_limits<double>::infinity();
   const std::size_t thin = std::max<std::size_t>(1, points.size() / 64);
   for (int trial = 0; trial < 40; ++trial) {
-    const Vector2d a = points[random.below(points.size())];
-    const Vector2d b = points[random.below(points.size())];
+    const Vector2d& a = points[random.below(points.size())];
+    const Vector2d& b = points[random.below(points.size())];
     if ((a - b).norm() < 1e-9) continue;
     const Line line{a, (b - a).normalized()};
     std::vector<double> distances;

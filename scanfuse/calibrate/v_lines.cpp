@@ -49,7 +49,7 @@ Plane changed(const Plane& plane, const Vector3d& delta) {
 Eigen::Vector4d misfit(const Camera& camera, const std::array<BoardPose, 2>& boards,
                        const std::array<StripeLine, 2>& stripes, const Plane& scan_plane) {
   Eigen::Vector4d r;
-  for (int b = 0; b < 2; ++b) {
+  for (const Eigen::Index b : {0, 1}) {
     const auto k = static_cast<std::size_t>(b);
     const Vector2d e = stripe_misfit(camera, stripes[k], scan_plane, boards[k].plane());
     r[2 * b] = std::sqrt(stripes[k].weight) * e[0];

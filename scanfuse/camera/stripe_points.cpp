@@ -299,15 +299,15 @@ Stripe measure_stripe(const Image& on, const Image* off, const StripeRegion& reg
           : (stripe.points.back().position_px - stripe.points.front().position_px).norm();
   const double least = region.squares ? options.min_squares * region.squares->square_px : 10;
   if (stripe.points.size() < 5 || length < least) {
-    return refused(
-        std::move(stripe),
+    auto why =
         fmt::format("a stripe of {:.0f} pixels, {} points{}: too short", length,
-                    stripe.points.size(), region.squares ? " off the borders of squares" : ""));
+                    stripe.points.size(), region.squares ? " off the borders of squares" : "");
+    return refused(std::move(stripe), std::move(why));
   }
   if (stripe.scatter_px > options.max_scatter_px) {
-    return refused(std::move(stripe),
-                   fmt::format("its points scatter by {:.2f} px about a line; {:.2f} are allowed",
-                               stripe.scatter_px, options.max_scatter_px));
+    auto why = fmt::format("its points scatter by {:.2f} px about a line; {:.2f} are allowed",
+                           stripe.scatter_px, options.max_scatter_px);
+    return refused(std::move(stripe), std::move(why));
   }
   return stripe;
 }

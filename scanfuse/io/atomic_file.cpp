@@ -63,6 +63,13 @@ Result<void> AtomicFile::write(std::string_view text) {
   return write(std::as_bytes(std::span(text.data(), text.size())));
 }
 
+Result<void> AtomicFile::flush() {
+  SCANFUSE_ASSERT(state_->file != nullptr);
+  if (std::fflush(state_->file) == 0) return {};
+  return fail(Error::Code::kOutOfRange, "{}: writing failed ({})", state_->part.string(),
+              std::strerror(errno));
+}
+
 Result<void> AtomicFile::commit() {
   SCANFUSE_ASSERT(state_->file != nullptr);
   const bool flushed = std::fflush(state_->file) == 0;

@@ -23,6 +23,8 @@ class AtomicFile {
 
   [[nodiscard]] Result<void> write(std::span<const std::byte> bytes);
   [[nodiscard]] Result<void> write(std::string_view text);
+  /// Hands what was written to the operating system: from then on it outlives this process.
+  [[nodiscard]] Result<void> flush();
   /// Flushes, closes and moves into place. Nothing may be written afterwards.
   [[nodiscard]] Result<void> commit();
   [[nodiscard]] std::uint64_t bytes_written() const;

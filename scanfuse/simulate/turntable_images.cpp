@@ -167,7 +167,7 @@ struct TurntableRenderer::Impl {
   [[nodiscard]] double laser_at(int column, int row, const Pose3& lidar,
                                 const Vector3d& normal) const {
     const std::size_t i = light.place(column, row);
-    const int id = surface[i];
+    const std::int8_t id = surface[i];
     const Vector3d n = scene.normal(id), at = static_cast<double>(distance_m[i]) * rays[i];
     const double plane = n.dot(at);
     const Vector2d half = footprint(id, distance_m[i], 0.5);

@@ -99,4 +99,17 @@ void update_extent(Gaussian<kStates>& state, const Measurement& measurement) {
   update_side(state, kWidth, measurement.width);
 }
 
+void resize_to_class(Gaussian<kStates>& state, ObjectClass before, ObjectClass now) {
+  if (now == before || now == ObjectClass::kUnknown || now == ObjectClass::kOther) return;
+  const Gaussian<2> was = extent_prior(before), is = extent_prior(now);
+  for (const int place : {kLength, kWidth}) {
+    const int side = place - kLength;
+    const double variance = state.covariance(place, place);
+    if (variance < was.covariance(side, side) / 2) continue;
+    const double off = state.mean(place) - is.mean(side);
+    if (off * off < kSurprise * kSurprise * (variance + is.covariance(side, side))) continue;
+    replace_moment(state, place, is.mean(side), is.covariance(side, side));
+  }
+}
+
 }  // namespace scanfuse::track

@@ -12,4 +12,9 @@ namespace scanfuse::track {
 /// cuts the belief's lower tail off (moments of the truncated normal).
 void update_extent(Gaussian<kStates>& state, const Measurement& measurement);
 
+/// A target that turns out to be of another class: a side that no such thing has, and of which the
+/// class before told more than scans did, is that of the new class. Ends that were seen stay where
+/// they are.
+void resize_to_class(Gaussian<kStates>& state, ObjectClass before, ObjectClass now);
+
 }  // namespace scanfuse::track

@@ -135,6 +135,19 @@ double unassigned_cost(const TrackerOptions& options) {
 
 namespace {
 
+void update_class(Target& target, const Detection& detection, Time stamp,
+                  const TrackerOptions& options) {
+  const ObjectClass before = user_class_of(target);
+  target.class_weight[static_cast<std::size_t>(detection.object_class)] +=
+      std::clamp(detection.score, 0.0, 1.0);
+  believe(target, detection, stamp, options.belief.get());
+  if (options.measurement != MeasuredAs::kBox) return;
+  const ObjectClass now = user_class_of(target);
+  resize_to_class(target.state, before, now);
+  if (options.motion != Motion::kImm) return;
+  for (auto& mode : target.modes) resize_to_class(mode, before, now);
+}
+
 /// All of an update but the state.
 void update_rest(Target& target, const Measurement& m, double speed_before,
                  const Detection& detection, int index, Time stamp, double dt_s,
@@ -143,9 +156,7 @@ void update_rest(Target& target, const Measurement& m, double speed_before,
   if (align_heading_with_course(target, dt_s)) reseat(target, detection, options);
   update_acceleration(target, speed_before, dt_s, options);
   update_moving(target, dt_s, options);
-  target.class_weight[static_cast<std::size_t>(detection.object_class)] +=
-      std::clamp(detection.score, 0.0, 1.0);
-  believe(target, detection, stamp, options.belief.get());
+  update_class(target, detection, stamp, options);
   target.z_m += 0.3 * (detection.z_m - target.z_m);
   target.height_m = std::max(target.height_m, detection.height_m);
   target.seen = stamp;

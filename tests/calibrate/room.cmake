@@ -1,2 +1,2 @@
 # Many placements of a disc, many seeds of a session.
-set(slow "MeasureDisc.TenPlacements*:MeasureDisc.AWideSpot*:CalibrateTurntable.Joint*")
+set(slow "MeasurePlane.DistanceAnd*:MeasureDisc.TenPlacements*:MeasureDisc.AWideSpot*:CalibrateTurntable.Joint*")

@@ -9,7 +9,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-std::string fault_of(std::string_view text) {
+std::string fault_of_toml(std::string_view text) {
   const auto parsed = parse_toml(text, "c.toml");
   return parsed ? "none" : parsed.error().message;
 }
@@ -32,13 +32,13 @@ TEST(Toml, EntriesComeInTheFilesOrderWithTheirPlace) {
 }
 
 TEST(Toml, FaultsNameLineAndColumn) {
-  EXPECT_THAT(fault_of("a = 1\na = 2\n"), HasSubstr("c.toml:2:"));
-  EXPECT_THAT(fault_of("[s]\nb = [1, 2]\n"), HasSubstr("c.toml:2:5: b needs one value"));
-  EXPECT_THAT(fault_of("d = 2020-01-01\n"), HasSubstr("c.toml:1:"));
-  EXPECT_THAT(fault_of("d = nan\n"), HasSubstr("not a finite number"));
-  EXPECT_THAT(fault_of("d = inf\n"), HasSubstr("not a finite number"));
-  EXPECT_THAT(fault_of("[s\n"), HasSubstr("c.toml:1:"));
-  EXPECT_THAT(fault_of("[[s]]\na = 1\n"), HasSubstr("c.toml:1:"));
+  EXPECT_THAT(fault_of_toml("a = 1\na = 2\n"), HasSubstr("c.toml:2:"));
+  EXPECT_THAT(fault_of_toml("[s]\nb = [1, 2]\n"), HasSubstr("c.toml:2:5: b needs one value"));
+  EXPECT_THAT(fault_of_toml("d = 2020-01-01\n"), HasSubstr("c.toml:1:"));
+  EXPECT_THAT(fault_of_toml("d = nan\n"), HasSubstr("not a finite number"));
+  EXPECT_THAT(fault_of_toml("d = inf\n"), HasSubstr("not a finite number"));
+  EXPECT_THAT(fault_of_toml("[s\n"), HasSubstr("c.toml:1:"));
+  EXPECT_THAT(fault_of_toml("[[s]]\na = 1\n"), HasSubstr("c.toml:1:"));
   EXPECT_FALSE(read_toml("/no/such/file.toml"));
 }
 
@@ -70,7 +70,7 @@ TEST(Toml, AnyBytesGiveEntriesOrAnError) {
     }
     (void)parse_toml(flipped, "c.toml");
   }
-  EXPECT_NE(fault_of(std::string(5000, '[')), "none");
+  EXPECT_NE(fault_of_toml(std::string(5000, '[')), "none");
 }
 
 }  // namespace

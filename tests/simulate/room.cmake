@@ -1,2 +1,2 @@
 # Whole scenarios for many seeds.
-set(slow "Lu2018.*:Simulation.NobodyDrivesThroughAnybody:Simulation.EveryScenarioHasFiniteReturns*")
+set(slow "SimulateDiscSweeps.EverySweep*:Lu2018.*:Simulation.NobodyDrivesThroughAnybody:Simulation.EveryScenarioHasFiniteReturns*")

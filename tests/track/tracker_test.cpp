@@ -107,6 +107,25 @@ TEST(Tracker, TwoPiecesOfOneCarDoNotMakeTwoTracks) {
   EXPECT_EQ(tracks.size(), 1U);
 }
 
+TEST(Tracker, AVehicleThatTurnsOutToBeAPedestrianHasItsSize) {
+  Tracker tracker;
+  Detection car = car_at(10, 0);
+  car.length_seen = car.width_seen = false;
+  feed(tracker, 0, {car});
+  Detection person = car;
+  person.object_class = ObjectClass::kPedestrian;
+  person.box.length_m = person.box.width_m = 0.5;
+  person.length_seen = person.width_seen = true;
+  person.box.centre_m.x() -= (car.box.length_m - 0.5) / 2;
+  std::vector<Track> tracks;
+  for (int k = 1; k < 10; ++k) tracks = feed(tracker, 0.08 * k, {person});
+  ASSERT_EQ(tracks.size(), 1U);
+  EXPECT_EQ(tracks[0].object_class, ObjectClass::kPedestrian);
+  EXPECT_NEAR(tracks[0].box.length_m, 0.5, 0.2);
+  EXPECT_NEAR(tracks[0].box.width_m, 0.5, 0.2);
+  EXPECT_NEAR(tracks[0].box.centre_m.x(), person.box.centre_m.x(), 0.3);
+}
+
 TEST(Tracker, TheSameInputGivesTheSameBytes) {
   const auto frames = testing::play(testing::set_pieces()[1].movers, {}, 3);
   Tracker a, b;

@@ -12,6 +12,7 @@ class FileSink final : public ByteSink {
   [[nodiscard]] Result<void> write(std::span<const std::byte> bytes) override {
     return file_.write(bytes);
   }
+  [[nodiscard]] Result<void> flush() override { return file_.flush(); }
   [[nodiscard]] Result<void> commit() override { return file_.commit(); }
 
  private:

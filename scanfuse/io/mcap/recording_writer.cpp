@@ -68,6 +68,8 @@ Result<void> McapRecordingWriter::write(const Event& event) {
   return std::visit(*state_, event.payload);
 }
 
+Result<void> McapRecordingWriter::checkpoint() { return state_->out.checkpoint(); }
+
 Result<void> McapRecordingWriter::finish() { return state_->out.finish(); }
 
 }  // namespace scanfuse::io

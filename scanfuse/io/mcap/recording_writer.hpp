@@ -20,6 +20,8 @@ class McapRecordingWriter {
 
   /// Events should come in order of `log_time`. An empty topic gets the usual one of its kind.
   [[nodiscard]] Result<void> write(const Event& event);
+  /// What was written so far outlives this process, in the file's ".part".
+  [[nodiscard]] Result<void> checkpoint();
   [[nodiscard]] Result<void> finish();
 
  private:

@@ -25,6 +25,7 @@ class TopicWriter {
   [[nodiscard]] Result<void> write_cdr(std::string_view topic, Time time,
                                        const ros::EncodedMessage& message);
   [[nodiscard]] Result<void> write(const Metadata& metadata) { return writer_.write(metadata); }
+  [[nodiscard]] Result<void> checkpoint() { return writer_.checkpoint(); }
   [[nodiscard]] Result<void> finish() { return writer_.finish(); }
 
  private:

@@ -196,6 +196,11 @@ std::vector<std::byte> Writer::summary_bytes(Footer& footer) const {
   return out;
 }
 
+Result<void> Writer::checkpoint() {
+  if (auto done = close_chunk(); !done) return done;
+  return sink_->flush();
+}
+
 Result<void> Writer::finish() {
   if (auto done = close_chunk(); !done) return done;
   append(scratch_, DataEnd{crc_});

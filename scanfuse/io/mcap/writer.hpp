@@ -21,6 +21,8 @@ class ByteSink {
  public:
   virtual ~ByteSink() = default;
   [[nodiscard]] virtual Result<void> write(std::span<const std::byte> bytes) = 0;
+  /// From then on what was written outlives this process.
+  [[nodiscard]] virtual Result<void> flush() { return {}; }
   [[nodiscard]] virtual Result<void> commit() = 0;
 };
 
@@ -63,6 +65,9 @@ class Writer {
   [[nodiscard]] Result<void> write(const MessageView& message);
   [[nodiscard]] Result<void> write(const Attachment& attachment);
   [[nodiscard]] Result<void> write(const Metadata& metadata);
+  /// Closes the chunk and flushes the sink: should this process end now, a reader finds everything
+  /// that was written so far.
+  [[nodiscard]] Result<void> checkpoint();
   /// Writes the summary and commits the sink.
   [[nodiscard]] Result<void> finish();
 

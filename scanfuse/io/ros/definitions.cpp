@@ -32,6 +32,26 @@ const std::map<std::string, std::string>& part_fields() {
        "uint8 INT8=1\nuint8 UINT8=2\nuint8 INT16=3\nuint8 UINT16=4\nuint8 INT32=5\n"
        "uint8 UINT32=6\nuint8 FLOAT32=7\nuint8 FLOAT64=8\n"
        "string name\nuint32 offset\nuint8 datatype\nuint32 count\n"},
+      {"std_msgs/ColorRGBA", "float32 r\nfloat32 g\nfloat32 b\nfloat32 a\n"},
+      {"builtin_interfaces/Duration", "int32 sec\nuint32 nanosec\n"},
+      {"sensor_msgs/CompressedImage", "std_msgs/Header header\nstring format\nuint8[] data\n"},
+      {"visualization_msgs/UVCoordinate", "float32 u\nfloat32 v\n"},
+      {"visualization_msgs/MeshFile", "string filename\nuint8[] data\n"},
+      {"visualization_msgs/Marker",
+       "int32 CUBE=1\nint32 TEXT_VIEW_FACING=9\nint32 ADD=0\nint32 DELETEALL=3\n"
+       "std_msgs/Header header\nstring ns\nint32 id\nint32 type\nint32 action\n"
+       "geometry_msgs/Pose pose\ngeometry_msgs/Vector3 scale\nstd_msgs/ColorRGBA color\n"
+       "builtin_interfaces/Duration lifetime\nbool frame_locked\n"
+       "geometry_msgs/Point[] points\nstd_msgs/ColorRGBA[] colors\n"
+       "string texture_resource\nsensor_msgs/CompressedImage texture\n"
+       "visualization_msgs/UVCoordinate[] uv_coordinates\nstring text\n"
+       "string mesh_resource\nvisualization_msgs/MeshFile mesh_file\n"
+       "bool mesh_use_embedded_materials\n"},
+      {"diagnostic_msgs/KeyValue", "string key\nstring value\n"},
+      {"diagnostic_msgs/DiagnosticStatus",
+       "byte OK=0\nbyte WARN=1\nbyte ERROR=2\nbyte STALE=3\n"
+       "byte level\nstring name\nstring message\nstring hardware_id\n"
+       "diagnostic_msgs/KeyValue[] values\n"},
   };
   return parts;
 }
@@ -57,6 +77,17 @@ const std::map<std::string, Definition>& written_types() {
        {"geometry_msgs/TransformStamped[] transforms\n",
         {"geometry_msgs/TransformStamped", "std_msgs/Header", "builtin_interfaces/Time",
          "geometry_msgs/Transform", "geometry_msgs/Vector3", "geometry_msgs/Quaternion"}}},
+      {"visualization_msgs/msg/MarkerArray",
+       {"visualization_msgs/Marker[] markers\n",
+        {"visualization_msgs/Marker", "std_msgs/Header", "builtin_interfaces/Time",
+         "geometry_msgs/Pose", "geometry_msgs/Point", "geometry_msgs/Quaternion",
+         "geometry_msgs/Vector3", "std_msgs/ColorRGBA", "builtin_interfaces/Duration",
+         "sensor_msgs/CompressedImage", "visualization_msgs/UVCoordinate",
+         "visualization_msgs/MeshFile"}}},
+      {"diagnostic_msgs/msg/DiagnosticArray",
+       {"std_msgs/Header header\ndiagnostic_msgs/DiagnosticStatus[] status\n",
+        {"std_msgs/Header", "builtin_interfaces/Time", "diagnostic_msgs/DiagnosticStatus",
+         "diagnostic_msgs/KeyValue"}}},
       {"sensor_msgs/msg/Imu",
        {"std_msgs/Header header\ngeometry_msgs/Quaternion orientation\n"
         "float64[9] orientation_covariance\ngeometry_msgs/Vector3 angular_velocity\n"

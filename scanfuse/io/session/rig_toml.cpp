@@ -37,7 +37,7 @@ constexpr std::array<const char*, kCount> kParameterNames{"axis_direction_u_rad"
 Result<Eigen::Vector3d> read_place(const DocumentTable& table, std::string_view key) {
   const auto numbers = table.numbers(key, 3);
   if (!numbers) return tl::unexpected(numbers.error());
-  const Eigen::Vector3d place(numbers->data());
+  Eigen::Vector3d place(numbers->data());
   if (place.cwiseAbs().maxCoeff() <= kFarthestRig_m) return place;
   return table.wrong(key, fmt::format("{} is out of bounds; write metres", key));
 }

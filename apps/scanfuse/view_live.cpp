@@ -1,0 +1,45 @@
+#include <atomic>
+#include <memory>
+
+#include "view_run.hpp"
+
+namespace scanfuse::app {
+namespace {
+
+/// Sensors that are running, until stopped.
+class LiveScans final : public serve::ScanSource {
+ public:
+  explicit LiveScans(std::unique_ptr<pipeline::LiveReader> reader)
+      : feed_((reader->stop_when([this] { return stopping_.load(); }), std::move(reader)), {}) {}
+
+  [[nodiscard]] Result<std::optional<pipeline::PosedScan>> next() override { return feed_.next(); }
+  void stop() override { stopping_ = true; }
+  [[nodiscard]] bool is_live() const override { return true; }
+  [[nodiscard]] Diagnostics diagnostics() const override { return feed_.diagnostics(); }
+
+ private:
+  std::atomic<bool> stopping_ = false;
+  pipeline::ScanFeed feed_;
+};
+
+std::string title_of(const LiveRequest& live) {
+  return fmt::format("{}", fmt::join(live.sensors, ", "));
+}
+
+}  // namespace
+
+Result<std::unique_ptr<serve::Workbench>> open_live_bench(const TrackRequest& request,
+                                                          const LiveRequest& live) {
+  const auto options = resolve_options(request);
+  if (!options) return tl::unexpected(options.error());
+  auto reader = open_live(live);
+  if (!reader) return tl::unexpected(reader.error());
+  serve::WorkbenchOptions bench;
+  bench.title = title_of(live);
+  bench.preset = request.preset;
+  bench.options = *options;
+  return serve::Workbench::create(std::make_unique<LiveScans>(std::move(*reader)),
+                                  serve::show_with(*options), std::move(bench));
+}
+
+}  // namespace scanfuse::app

@@ -1,0 +1,5 @@
+#include "drive.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  return scanfuse::fuzzing::drive("multiscan", data, size, 1472);
+}

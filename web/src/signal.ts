@@ -1,0 +1,12 @@
+/** Tells those who listen that something changed. */
+export class Signal<T> {
+  private readonly listeners: ((value: T) => void)[] = [];
+
+  on(listener: (value: T) => void): void {
+    this.listeners.push(listener);
+  }
+
+  emit(value: T): void {
+    for (const listener of this.listeners) listener(value);
+  }
+}
