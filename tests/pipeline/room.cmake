@@ -1,0 +1,2 @@
+# Images of a whole session by others.
+set(slow "RealStripes.*")
