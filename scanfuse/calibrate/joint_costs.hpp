@@ -17,7 +17,7 @@ template <class T>
 Vector3<T> turned(const T* w, const Eigen::Vector3d& v) {
   using std::cos, std::sin, std::sqrt;
   const Vector3<T> turn(w[0], w[1], w[2]);
-  const Vector3<T> from(v.cast<T>());
+  const Vector3<T> from(T(v.x()), T(v.y()), T(v.z()));
   const T squared = turn.squaredNorm();
   if (!(squared > T(1e-24))) return from + turn.cross(from);
   const T angle = sqrt(squared);
