@@ -21,7 +21,7 @@ run: build  ## tracks the paper's second scenario and, if given, INPUT=recording
 
 python: setup  ## `import scanfuse`, in build/release/python
 	@tools/install_packages.sh python
-	@cmake --preset release -DSCANFUSE_BUILD_PYTHON=ON > /dev/null
+	@cmake --preset release -DSCANFUSE_BUILD_PYTHON=ON -DSCANFUSE_BUILD_TESTS=OFF > /dev/null
 	@cmake --build --preset release -j $(JOBS) --target scanfuse_python_package
 	@echo "PYTHONPATH=$(CURDIR)/build/release/python python3 -c 'import scanfuse; help(scanfuse)'"
 
