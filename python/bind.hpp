@@ -67,6 +67,12 @@ inline py::dict dict_of(const Diagnostics& diagnostics) {
   return dict;
 }
 
+inline py::dict dict_of(const OptionView& view) {
+  return py::dict(py::arg("name") = view.name, py::arg("value") = view.value,
+                  py::arg("default") = view.fallback, py::arg("range") = view.range,
+                  py::arg("doc") = view.doc);
+}
+
 inline Time time_of(double seconds) {
   if (!(std::abs(seconds) < 9e9)) {
     throw Failure({Error::Code::kOutOfRange,
@@ -168,9 +174,7 @@ py::class_<Options> bind_options(py::module_& module, const char* name, const ch
       [](const Options& options) {
         py::list rows;
         for (const auto& view : view_options("", options)) {
-          rows.append(py::dict(py::arg("name") = view.name, py::arg("value") = view.value,
-                               py::arg("default") = view.fallback, py::arg("range") = view.range,
-                               py::arg("doc") = view.doc));
+          rows.append(dict_of(view));
         }
         return rows;
       },

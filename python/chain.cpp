@@ -87,10 +87,9 @@ void bind_whole(py::module_& module) {
           [](const O& o) {
             py::list rows;
             for (const auto& view : view_config(o)) {
-              rows.append(py::dict(py::arg("section") = view.section, py::arg("name") = view.name,
-                                   py::arg("value") = view.value,
-                                   py::arg("default") = view.fallback,
-                                   py::arg("range") = view.range, py::arg("doc") = view.doc));
+              py::dict row = dict_of(view);
+              row["section"] = view.section;
+              rows.append(row);
             }
             return rows;
           },

@@ -95,11 +95,15 @@ wants() {
   skipped=$((skipped + 1))
   return 1
 }
-if wants asan || wants fuzz; then
+asan=no
+fuzz=no
+wants asan && asan=yes
+wants fuzz && fuzz=yes
+if [ "$asan$fuzz" != nono ]; then
   step "build (Clang, address and undefined-behaviour sanitizers)" build asan
 fi
-if wants asan; then suite "tests (sanitizers)" asan -LE slow; fi
-if wants fuzz; then step "fuzz every reader for ${SCANFUSE_FUZZ_SECONDS:-25} s" fuzz_all; fi
+if [ $asan = yes ]; then suite "tests (sanitizers)" asan -LE slow; fi
+if [ $fuzz = yes ]; then step "fuzz every reader for ${SCANFUSE_FUZZ_SECONDS:-25} s" fuzz_all; fi
 if wants tsan; then
   step "build (Clang, thread sanitizer)" build_threaded
   suite "tests (thread sanitizer)" tsan -R '^(Parallel|Server|Workbench|ViewerTest)'

@@ -1,7 +1,5 @@
 #include "serve.hpp"
 
-#include <array>
-#include <atomic>
 #include <chrono>
 #include <optional>
 #include <thread>

@@ -6,6 +6,7 @@
 
 #include "scanfuse/calibrate/board_plane.hpp"
 #include "scanfuse/calibrate/undistort.hpp"
+#include "scanfuse/calibrate/v_lines.hpp"
 #include "scanfuse/camera/stripe.hpp"
 #include "scanfuse/io/image.hpp"
 #include "scanfuse/io/session/session_folder.hpp"
@@ -34,8 +35,7 @@ std::vector<Eigen::Vector3d> stripe_in_space(const Camera& camera,
   const calibrate::Plane plane = pose->plane();
   std::vector<Eigen::Vector3d> points;
   for (const auto& pixel : stripes->front().positions()) {
-    const Eigen::Vector3d ray = calibrate::undistort(camera, pixel).homogeneous();
-    points.emplace_back(plane.distance_m / plane.normal.dot(ray) * ray);
+    points.push_back(calibrate::seen_on(plane, calibrate::undistort(camera, pixel)));
   }
   return points;
 }
