@@ -1,14 +1,15 @@
-# scanfuse_room(NAME USES other rooms LINKS public libraries PRIVATE_LINKS private libraries)
-# A room is one static library made of all .cpp files in its folder.
+# scanfuse_room(NAME [FUZZED] USES other rooms LINKS public libraries PRIVATE_LINKS private libraries)
+# A room is one static library made of all .cpp files in its folder. FUZZED: its sources parse what
+# comes from outside, so the fuzzer steers by their branches.
 function(scanfuse_room name)
-  cmake_parse_arguments(ROOM "" "" "USES;LINKS;PRIVATE_LINKS" ${ARGN})
+  cmake_parse_arguments(ROOM "FUZZED" "" "USES;LINKS;PRIVATE_LINKS" ${ARGN})
   set(target scanfuse_${name})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   if(sources)
     add_library(${target} STATIC ${sources})
     set(scope PUBLIC)
     target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:scanfuse_options>)
-    if(SCANFUSE_BUILD_FUZZ)  # the fuzzer steers by the rooms' branches
+    if(SCANFUSE_BUILD_FUZZ AND ROOM_FUZZED)
       target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
     endif()
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON

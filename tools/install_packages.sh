@@ -6,10 +6,10 @@ set -euo pipefail
 build="g++ cmake ninja-build ccache mold libeigen3-dev libfmt-dev libexpected-dev libcli11-dev
   libtomlplusplus-dev nlohmann-json3-dev libembree-dev libzstd-dev liblz4-dev zlib1g-dev libbz2-dev
   liblzma-dev libsqlite3-dev libgeographiclib-dev libceres-dev libpng-dev libjpeg62-turbo-dev
-  libopencv-calib3d-dev libboost-dev"
+  libopencv-calib3d-dev libboost-dev cyclonedds-dev"
 test="libgtest-dev libgmock-dev librapidcheck-dev clang-19 clang-tidy-19 clang-format-19
   libclang-rt-19-dev python3 python3-numpy python3-rosbag git chromium nodejs npm
-  coinor-libcbc-dev pkg-config python3-pytest python3-pandas python3-matplotlib"
+  coinor-libcbc-dev pkg-config libfastrtps-dev libfastcdr-dev python3-pytest python3-pandas python3-matplotlib"
 python="pybind11-dev python3-dev python3-numpy"
 bench="libbenchmark-dev"
 [ -z "${SCANFUSE_PEERS:-}" ] || bench+=" libpcl-dev"  # big; only to compare with

@@ -83,7 +83,8 @@ if [ -f tests/npm/package.json ] && command -v npm > /dev/null && [ ! -d tests/n
 fi
 step "style" tools/check_style.sh
 step "build (GCC, release)" build release \
-  -DSCANFUSE_BUILD_TESTS=ON -DSCANFUSE_BUILD_BENCH=ON -DSCANFUSE_BUILD_PYTHON=ON
+  -DSCANFUSE_BUILD_TESTS=ON -DSCANFUSE_BUILD_BENCH=ON -DSCANFUSE_BUILD_PYTHON=ON \
+  ${SCANFUSE_UNITY_BATCH:+"-DSCANFUSE_UNITY_BATCH=$SCANFUSE_UNITY_BATCH"}
 suite "tests (GCC, release)" release
 step "the viewer: types, tests, the built page, a browser" tools/check_viewer.sh build/release/scanfuse
 step "install, then build and run a user's project" install_and_consume
@@ -106,7 +107,7 @@ if [ $asan = yes ]; then suite "tests (sanitizers)" asan -LE slow; fi
 if [ $fuzz = yes ]; then step "fuzz every reader for ${SCANFUSE_FUZZ_SECONDS:-25} s" fuzz_all; fi
 if wants tsan; then
   step "build (Clang, thread sanitizer)" build_threaded
-  suite "tests (thread sanitizer)" tsan -R '^(Parallel|Server|Workbench|ViewerTest)'
+  suite "tests (thread sanitizer)" tsan -R '^(Parallel|Server|Workbench|ViewerTest|Ros2\.)'
 fi
 if wants tidy; then step "clang-tidy" tools/check_style.sh --tidy; fi
 

@@ -1,6 +1,3 @@
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -12,10 +9,12 @@
 #include "bench_rows.hpp"
 #include "command.hpp"
 #include "live_run.hpp"
+#include "process_memory.hpp"
 #include "scanfuse/core/random.hpp"
 #include "scanfuse/drivers/stream.hpp"
 #include "scanfuse/drivers/transport/device_server.hpp"
 #include "scanfuse/pipeline/config.hpp"
+#include "scanfuse/pipeline/live_reader.hpp"
 #include "scanfuse/simulate/simulate.hpp"
 
 // Three simulated sensors at full rate over loopback, with faults, tracked for minutes.
@@ -122,17 +121,6 @@ void inject(const Sensors& sensors, const std::stop_token& stop, SteadyClock::ti
         ++faults.jumped;
     }
   }
-}
-
-/// Of this process, by the operating system.
-double resident_mb() {
-  const int file = ::open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
-  char text[128] = {};
-  const auto got = file < 0 ? -1 : ::read(file, text, sizeof text - 1);
-  if (file >= 0) ::close(file);
-  long whole = 0, resident = 0;
-  if (got <= 0 || std::sscanf(text, "%ld %ld", &whole, &resident) != 2) return 0;
-  return static_cast<double>(resident) * static_cast<double>(::sysconf(_SC_PAGESIZE)) / 1e6;
 }
 
 /// The middle of the memory taken in the first and in the last quarter, once all has warmed up.

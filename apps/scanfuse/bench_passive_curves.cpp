@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bench_passive_runs.hpp"
+#include "process_memory.hpp"
 #include "scanfuse/core/parallel.hpp"
 #include "scanfuse/estimate/consistency.hpp"
 #include "scanfuse/report/class_report.hpp"
@@ -73,31 +74,39 @@ void add_rates(Curves& curves, int targets, const std::vector<double>& spacings_
   curves.tables.push_back(std::move(table));
 }
 
-/// Median time and hypotheses of a scan against how many targets or sensors there are.
+/// Median time and hypotheses of a scan, and the most memory that any took, against how many
+/// targets or sensors there are.
 void add_growth(Curves& curves, const std::string& what, const std::vector<int>& counts,
                 int PassiveOptions::* member, const PassiveOptions& base, const SeedRange& seeds) {
   Series seconds{"whole scan", {}, Series::Style::kLine};
   Series solver{"solver", {}, Series::Style::kDashed};
   Series columns{"hypotheses", {}, Series::Style::kLine};
-  ReportTable table{
-      "Growth with " + what,
-      {what, "scan, median [ms]", "solver, median [ms]", "hypotheses, median", "not proved"},
-      {}};
+  Series memory{"most of all scenes", {}, Series::Style::kLine};
+  ReportTable table{"Growth with " + what,
+                    {what, "scan, median [ms]", "solver, median [ms]", "hypotheses, median",
+                     "memory, most [MB]", "not proved"},
+                    {}};
   for (const int count : counts) {
     PassiveOptions options = base;
     options.*member = count;
+    forget_peak_memory();
+    const double held_mb = resident_mb();
     const auto outcome = run_passive(options, seeds, 1, CostMethod::kEvidence);
     const double scan_ms = median_of(outcome.seconds) * 1e3;
     const double solver_ms = median_of(outcome.solver_seconds) * 1e3;
     const double most = median_of(outcome.columns);
+    const double taken_mb = std::max(0.0, peak_memory_mb() - held_mb);
     seconds.points.emplace_back(count, scan_ms);
     solver.points.emplace_back(count, solver_ms);
     columns.points.emplace_back(count, most / 1e3);
+    memory.points.emplace_back(count, taken_mb);
     table.rows.push_back({fmt::format("{}", count), fmt::format("{:.2f}", scan_ms),
                           fmt::format("{:.2f}", solver_ms), fmt::format("{:.0f}", most),
+                          fmt::format("{:.1f}", taken_mb),
                           fmt::format("{} of {}", outcome.unproved, outcome.seconds.size())});
     curves.rows.push_back({fmt::format("{} {}: whole scan, median", count, what), scan_ms, "ms"});
     curves.rows.push_back({fmt::format("{} {}: hypotheses, median", count, what), most, ""});
+    curves.rows.push_back({fmt::format("{} {}: memory, most", count, what), taken_mb, "MB"});
   }
   table.note = fmt::format(
       "One thread, wall time, {} scenes a row from seed {} on: PD {:g}, {:g} mrad, {:g} false "
@@ -118,6 +127,8 @@ void add_growth(Curves& curves, const std::string& what, const std::vector<int>&
                            {columns},
                            kChartWidth_px,
                            kChartHeight_px});
+  curves.charts.push_back(
+      {"Memory against " + what, what, "MB", {memory}, kChartWidth_px, kChartHeight_px});
   curves.tables.push_back(std::move(table));
 }
 

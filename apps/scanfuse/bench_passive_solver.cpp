@@ -1,24 +1,17 @@
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
 #include <tuple>
 
 #include "bench_passive_runs.hpp"
+#include "process_memory.hpp"
 
 namespace scanfuse::app {
 namespace {
 
 using simulate::PassiveOptions;
 using triangulate::CostMethod;
-
-/// The most memory that this process ever had, MB.
-double peak_memory_mb() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024;
-}
 
 /// Greedy choice on the same hypotheses: its weight by the best one's, and its time.
 struct GreedyPeer {

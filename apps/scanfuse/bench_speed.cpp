@@ -44,7 +44,11 @@ Result<std::vector<pipeline::PosedScan>> recorded(std::string_view scenario, std
   std::vector<pipeline::PosedScan> scans;
   while (auto frame = simulation->next()) {
     ego.add(frame->ego.stamp, frame->ego.pose);
-    scans.push_back({std::move(frame->scan), frame->ego.pose, simulation->ego_from_sensor(), {}});
+    pipeline::PosedScan posed;
+    posed.scan = std::move(frame->scan);
+    posed.world_from_ego = frame->ego.pose;
+    posed.ego_from_sensor = simulation->ego_from_sensor();
+    scans.push_back(std::move(posed));
   }
   for (auto& posed : scans) posed.twist = ego.twist_at(posed.scan.stamp);
   return scans;

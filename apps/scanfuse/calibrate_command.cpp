@@ -12,6 +12,7 @@
 #include "scanfuse/io/session/rig_toml.hpp"
 #include "scanfuse/pipeline/turntable_session.hpp"
 #include "scanfuse/report/turntable_report.hpp"
+#include "view_run.hpp"
 
 namespace scanfuse::app {
 namespace {
@@ -29,6 +30,7 @@ struct CalibrateArguments {
   std::vector<std::string> sets;
   int position = 0;
   bool json = false;
+  bool view = false;
 };
 
 /// Settings of three sections: calibrate, boards, stripes.
@@ -154,6 +156,19 @@ report::TurntableReport report_of(const TurntableCalibration& calibration,
   return report;
 }
 
+int view_rig(const TurntableCalibration& calibration, const LoadedSession& session,
+             const CalibrateArguments& arguments, const CommonOptions& common) {
+  const TurntableFeatures& features = session.features;
+  RigScene scene{arguments.session, features.positions, calibration.rig, features.camera, {}};
+  for (std::size_t b = 0; b < 2; ++b) {
+    scene.boards.emplace_back(features.boards[b], calibration.camera_from_board[b]);
+  }
+  ViewRequest request;
+  request.track.input = arguments.session;
+  request.scene = std::move(scene);
+  return run_view(std::move(request), common);
+}
+
 int run_calibrate_turntable(const CalibrateArguments& arguments, const CommonOptions& common) {
   catch_interrupts();
   TurntableOptions options;
@@ -195,7 +210,10 @@ int run_calibrate_turntable(const CalibrateArguments& arguments, const CommonOpt
   if (!common.quiet) tell_oddities(*calibration, *session);
   Diagnostics diagnostics = session->diagnostics;
   diagnostics.merge(calibration->diagnostics);
-  return report_diagnostics(diagnostics, common.quiet);
+  const int code = report_diagnostics(diagnostics, common.quiet);
+  if (!arguments.view || (code != kDone && code != kDamagedInput)) return code;
+  const int served = view_rig(*calibration, *session, arguments, common);
+  return served == kDone ? code : served;
 }
 
 nlohmann::json pose_json(const calibrate::FixedPose& pose, const std::string& name) {
@@ -279,6 +297,8 @@ void add_turntable(CLI::App& calibrate, const Tool& tool) {
   app->add_option("--set", arguments->sets, "Change a setting: section.name=value")
       ->allow_extra_args(false);
   app->add_flag("--json", arguments->json, "One JSON object on stdout");
+  app->add_flag("--view", arguments->view,
+                "Then look at the rig and its cloud in a browser, as `scanfuse view --rig` does");
   app->footer(calibrate_help());
   app->callback(
       [arguments, tool] { *tool.exit_code = run_calibrate_turntable(*arguments, *tool.common); });

@@ -53,23 +53,24 @@ Result<pipeline::LiveSource> read_source(const std::string& url, const std::stri
   return source;
 }
 
-}  // namespace
-
-void add_live_options(CLI::App& app, LiveRequest& request) {
-  app.add_option("sensors", request.sensors, "Sensors, as sick://192.168.0.1:2112")->required();
-  app.add_option("--mount", request.mounts,
-                 "Sensor in the ego frame: X_M,Y_M,YAW_RAD; one for each sensor, in their order")
-      ->allow_extra_args(false);
-  app.add_option("--seconds", request.seconds, "Stop after so long; 0: at Ctrl-C")
-      ->check(CLI::Range(0.0, 1e7))
-      ->capture_default_str();
-  app.add_option("--waiting", request.waiting,
-                 "Scans of one sensor that may wait; then the newest wins")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
+Result<void> check_request(const LiveRequest& request) {
+  const auto wrong = [](const char* what) { return fail(Error::Code::kMalformed, "{}", what); };
+  if (request.empty()) {
+    return wrong("no sensor named: give sensors, as sick://192.168.0.1:2112, or --ros2 --topic");
+  }
+  if (!request.topics.empty() && !request.ros2) return wrong("--topic needs --ros2");
+  if (!request.topics.empty() && !request.sensors.empty()) {
+    return wrong("give sensors or --topic, not both: a second scanfuse can publish the sensors");
+  }
+  if (!request.ego_topic.empty() && request.topics.empty())
+    return wrong("--ego-topic needs --topic");
+  if (!request.mounts.empty() && !request.topics.empty()) {
+    return wrong("--mount is for sensors; of topics tf says where they are mounted");
+  }
+  return {};
 }
 
-Result<std::unique_ptr<pipeline::LiveReader>> open_live(const LiveRequest& request) {
+Result<LiveInput> open_sensors(const LiveRequest& request, LiveInput input) {
   if (!request.mounts.empty() && request.mounts.size() != request.sensors.size()) {
     return fail(Error::Code::kMalformed, "{} --mount for {} sensors: give one for each, or none",
                 request.mounts.size(), request.sensors.size());
@@ -83,12 +84,64 @@ Result<std::unique_ptr<pipeline::LiveReader>> open_live(const LiveRequest& reque
   }
   pipeline::LiveReaderOptions options;
   options.scans_waiting = static_cast<std::size_t>(request.waiting);
-  return pipeline::LiveReader::create(std::move(sources), options);
+  auto reader = pipeline::LiveReader::create(std::move(sources), options);
+  if (!reader) return tl::unexpected(reader.error());
+  input.stream = std::move(*reader);
+  return input;
 }
 
-nlohmann::json sensors_json(const pipeline::LiveReader& reader) {
+Result<LiveInput> open_topics(const LiveRequest& request, LiveInput input) {
+  pipeline::Ros2ReaderOptions options{request.topics, static_cast<std::size_t>(request.waiting)};
+  if (!request.ego_topic.empty()) {
+    auto name = drivers::ros2_topic_name(request.ego_topic);
+    if (!name) return tl::unexpected(name.error());
+    input.feed.ego_topic = *name;
+    options.topics.push_back(std::move(*name));
+  }
+  auto reader = pipeline::Ros2Reader::create(input.bus, options);
+  if (!reader) return tl::unexpected(reader.error());
+  input.stream = std::move(*reader);
+  return input;
+}
+
+}  // namespace
+
+void add_live_options(CLI::App& app, LiveRequest& request) {
+  app.add_option("sensors", request.sensors, "Sensors, as sick://192.168.0.1:2112");
+  app.add_flag("--ros2", request.ros2,
+               "Join ROS 2 (ROS_DOMAIN_ID, ROS_LOCALHOST_ONLY hold), without ROS installed");
+  app.add_option("--topic", request.topics,
+                 "Instead of sensors a topic of ROS 2: LaserScan, PointCloud2, Odometry, poses")
+      ->allow_extra_args(false);
+  app.add_option("--ego-topic", request.ego_topic,
+                 "Topic of ROS 2 with the ego's motion; without one it is taken from tf");
+  app.add_option("--mount", request.mounts,
+                 "Sensor in the ego frame: X_M,Y_M,YAW_RAD; one for each sensor, in their order")
+      ->allow_extra_args(false);
+  app.add_option("--seconds", request.seconds, "Stop after so long; 0: at Ctrl-C")
+      ->check(CLI::Range(0.0, 1e7))
+      ->capture_default_str();
+  app.add_option("--waiting", request.waiting,
+                 "Scans of one sensor that may wait; then the newest wins")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+}
+
+Result<LiveInput> open_live(const LiveRequest& request) {
+  if (auto fits = check_request(request); !fits) return tl::unexpected(fits.error());
+  LiveInput input;
+  if (request.ros2) {
+    auto bus = drivers::Ros2Bus::join();
+    if (!bus) return tl::unexpected(bus.error());
+    input.bus = std::move(*bus);
+  }
+  return request.topics.empty() ? open_sensors(request, std::move(input))
+                                : open_topics(request, std::move(input));
+}
+
+nlohmann::json sensors_json(const pipeline::LiveStream& stream) {
   nlohmann::json all = nlohmann::json::object();
-  for (const auto& [name, status] : reader.status()) {
+  for (const auto& [name, status] : stream.status()) {
     nlohmann::json odd = nlohmann::json::object();
     for (const auto& [what, entry] : status.diagnostics.entries()) odd[what] = entry.count;
     all[name] = {{"scans", status.scans},
@@ -102,8 +155,8 @@ nlohmann::json sensors_json(const pipeline::LiveReader& reader) {
   return all;
 }
 
-void print_sensors(const pipeline::LiveReader& reader) {
-  for (const auto& [name, status] : reader.status()) {
+void print_sensors(const pipeline::LiveStream& stream) {
+  for (const auto& [name, status] : stream.status()) {
     fmt::print(stderr, "scanfuse: {}: {} scans, {} bytes, {} connections, {} scans left out{}{}\n",
                name, status.scans, status.bytes, status.connections, status.dropped,
                status.last_error.empty() ? "" : "; last: ", status.last_error);
@@ -119,7 +172,10 @@ std::string sensors_help() {
                                              : fmt::format("{}:///dev/ttyUSB0", device.scheme);
     text += fmt::format("  {:<26} {}\n", url, device.doc);
   }
-  return text + "  ?name=NAME&mount=X_M,Y_M,YAW_RAD may follow.\n";
+  return text +
+         "  ?name=NAME&mount=X_M,Y_M,YAW_RAD may follow.\n"
+         "  With --ros2 a sensor's scans are published too; --ros2 --topic /scan takes scans\n"
+         "  from ROS 2.\n";
 }
 
 }  // namespace scanfuse::app

@@ -59,12 +59,19 @@ double LatencyHistogram::quantile(double share) const {
   return longest_s_;
 }
 
-Result<LiveOutcome> run_live(pipeline::ScanFeed& feed, pipeline::LiveReader& reader,
+Result<LiveOutcome> run_live(pipeline::ScanFeed& feed, pipeline::LiveStream& stream,
                              const pipeline::PerceptionOptions& options, double seconds,
-                             const TakeStep& take) {
+                             const TakeStep& take, const std::function<void()>& waiting) {
+  constexpr double kPatienceS = 3;
   const auto start = SteadyClock::now();
-  reader.stop_when([=] {
-    return interrupted || (seconds > 0 && to_seconds(SteadyClock::now() - start) >= seconds);
+  bool is_patient = static_cast<bool>(waiting);
+  stream.stop_when([&] {
+    const double waited_s = to_seconds(SteadyClock::now() - start);
+    if (is_patient && waited_s > kPatienceS) {
+      is_patient = false;
+      waiting();
+    }
+    return interrupted || (seconds > 0 && waited_s >= seconds);
   });
   pipeline::Perception perception(options);
   LiveTally tally;
@@ -72,9 +79,10 @@ Result<LiveOutcome> run_live(pipeline::ScanFeed& feed, pipeline::LiveReader& rea
     auto posed = feed.next();
     if (!posed) return tl::unexpected(posed.error());
     if (!*posed) break;
+    is_patient = false;
     const StepResult& step = perception.step(**posed);
-    if (auto done = take(step, (*posed)->scan); !done) return tl::unexpected(done.error());
-    tally.add(step, reader.last_byte());
+    if (auto done = take(step, **posed); !done) return tl::unexpected(done.error());
+    tally.add(step, stream.last_byte());
   }
   LiveOutcome outcome = tally.take();
   outcome.diagnostics = feed.diagnostics();

@@ -3,7 +3,7 @@
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 
-#include "scanfuse/pipeline/live_reader.hpp"
+#include "scanfuse/pipeline/live_stream.hpp"
 #include "scanfuse/pipeline/perception.hpp"
 #include "scanfuse/pipeline/scan_feed.hpp"
 
@@ -34,13 +34,14 @@ struct LiveOutcome {
   [[nodiscard]] double latency_s(double share) const { return latencies.quantile(share); }
 };
 
-using TakeStep = std::function<Result<void>(const StepResult&, const Scan&)>;
+using TakeStep = std::function<Result<void>(const StepResult&, const pipeline::PosedScan&)>;
 
 /// Tracks what the sensors see until Ctrl-C, or for `seconds` (0: no end), or until `take` fails.
-/// `reader` is the one inside `feed`.
-[[nodiscard]] Result<LiveOutcome> run_live(pipeline::ScanFeed& feed, pipeline::LiveReader& reader,
+/// `stream` is the one inside `feed`. `waiting` is called once, should no scan come for a while.
+[[nodiscard]] Result<LiveOutcome> run_live(pipeline::ScanFeed& feed, pipeline::LiveStream& stream,
                                            const pipeline::PerceptionOptions& options,
-                                           double seconds, const TakeStep& take);
+                                           double seconds, const TakeStep& take,
+                                           const std::function<void()>& waiting = {});
 
 [[nodiscard]] nlohmann::json latency_json(const LiveOutcome& outcome);
 

@@ -19,7 +19,7 @@ struct RecordRequest {
 };
 
 /// Writes what comes until it is time to stop.
-Result<std::int64_t> record_all(const RecordRequest& request, pipeline::LiveReader& reader,
+Result<std::int64_t> record_all(const RecordRequest& request, pipeline::LiveStream& reader,
                                 io::McapRecordingWriter& writer, bool quiet) {
   const auto start = SteadyClock::now();
   auto saved = start;
@@ -48,19 +48,20 @@ Result<std::int64_t> record_all(const RecordRequest& request, pipeline::LiveRead
 int run_record(RecordRequest request, const CommonOptions& common) {
   catch_interrupts();
   request.live.waiting = std::max(request.live.waiting, 1000);
-  auto reader = open_live(request.live);
-  if (!reader) return report_error(reader.error());
+  auto input = open_live(request.live);
+  if (!input) return report_error(input.error());
+  pipeline::LiveStream& stream = *input->stream;
   auto writer = io::McapRecordingWriter::create(request.out);
   if (!writer) return report_error(writer.error());
-  const auto scans = record_all(request, **reader, *writer, common.quiet);
+  const auto scans = record_all(request, stream, *writer, common.quiet);
   if (!scans) return report_error(scans.error());
   if (auto done = writer->finish(); !done) return report_error(done.error());
   if (request.json) {
     const nlohmann::json told{
-        {"output", request.out}, {"scans", *scans}, {"sensors", sensors_json(**reader)}};
+        {"output", request.out}, {"scans", *scans}, {"sensors", sensors_json(stream)}};
     fmt::print("{}\n", told.dump(2));
   } else if (!common.quiet) {
-    print_sensors(**reader);
+    print_sensors(stream);
   }
   return interrupted ? kInterrupted : kDone;
 }

@@ -42,9 +42,22 @@ void check_inputs(const CLI::App& app, bool has_input) {
   const bool is_live = app.count("--live") > 0;
   if (!has_input && !is_live) throw CLI::RequiredError("input or --live");
   for (const char* recorded : {"--topic", "--ego-topic", "--ego", "--mount", "--truth", "--sensors",
-                               "--labels", "--again"}) {
+                               "--labels", "--again", "--rig"}) {
     if (is_live && app.count(recorded) > 0) throw CLI::ExcludesError("--live", recorded);
   }
+}
+
+/// Those that begin with "ros2:" are topics.
+void take_topics(LiveRequest& live) {
+  constexpr std::string_view kScheme = "ros2:";
+  std::vector<std::string> sensors;
+  for (auto& text : live.sensors) {
+    const bool is_topic = text.starts_with(kScheme);
+    if (is_topic) text.erase(0, kScheme.size());
+    (is_topic ? live.topics : sensors).push_back(std::move(text));
+  }
+  live.sensors = std::move(sensors);
+  live.ros2 = !live.topics.empty();
 }
 
 }  // namespace
@@ -95,9 +108,11 @@ void add_view(Tool& tool) {
                                 "Recording (file or folder), points in CSV, tracks (MCAP) of ours");
   app->add_option("--live", request->live.sensors,
                   "Sensors that are running in place of a recording, as "
-                  "sick://192.168.0.1:2112; may be repeated")
+                  "sick://192.168.0.1:2112, or topics of ROS 2, as ros2:/scan; may be repeated")
       ->allow_extra_args(false)
       ->excludes(input);
+  app->add_option("--rig", request->rig,
+                  "Calibrated turntable (rig.toml): the input is a session of its scans");
   app->add_option(
          "--preset", request->track.preset,
          fmt::format("Options to start from: {}", fmt::join(pipeline::preset_names(), ", ")))
@@ -144,12 +159,15 @@ void add_view(Tool& tool) {
       "  scanfuse view drive.mcap\n"
       "  scanfuse view lap.bag --ego-topic /ego_pose --mount -0.12,0,0 --preset vehicle-model\n"
       "  scanfuse view bearings.csv --sensors sensors.toml\n"
+      "  scanfuse view session/scan --rig rig.toml\n"
       "  scanfuse view tracks.mcap --labels truth.csv\n"
       "  scanfuse view --live sick://192.168.0.1:2112 --preset road-users\n"
+      "  scanfuse view --live ros2:/scan\n"
       "  scanfuse view drive.mcap --listen 0.0.0.0 --port 8080\n"
       "Foxglove and Lichtblick connect to the same port: ws://localhost:8765.\n");
   app->callback([&tool, app, input, request] {
     check_inputs(*app, input->count() > 0);
+    take_topics(request->live);
     request->server.next_free_port = app->count("--port") == 0;
     request->has_preset = app->count("--preset") > 0;
     *tool.exit_code = run_view(*request, *tool.common);

@@ -9,8 +9,11 @@ namespace {
 /// Sensors that are running, until stopped.
 class LiveScans final : public serve::ScanSource {
  public:
-  explicit LiveScans(std::unique_ptr<pipeline::LiveReader> reader)
-      : feed_((reader->stop_when([this] { return stopping_.load(); }), std::move(reader)), {}) {}
+  explicit LiveScans(LiveInput input)
+      : bus_(std::move(input.bus)),
+        feed_(
+            (input.stream->stop_when([this] { return stopping_.load(); }), std::move(input.stream)),
+            input.feed) {}
 
   [[nodiscard]] Result<std::optional<pipeline::PosedScan>> next() override { return feed_.next(); }
   void stop() override { stopping_ = true; }
@@ -19,11 +22,12 @@ class LiveScans final : public serve::ScanSource {
 
  private:
   std::atomic<bool> stopping_ = false;
+  std::shared_ptr<drivers::Ros2Bus> bus_;
   pipeline::ScanFeed feed_;
 };
 
 std::string title_of(const LiveRequest& live) {
-  return fmt::format("{}", fmt::join(live.sensors, ", "));
+  return fmt::format("{}", fmt::join(live.sensors.empty() ? live.topics : live.sensors, ", "));
 }
 
 }  // namespace
@@ -32,13 +36,13 @@ Result<std::unique_ptr<serve::Workbench>> open_live_bench(const TrackRequest& re
                                                           const LiveRequest& live) {
   const auto options = resolve_options(request);
   if (!options) return tl::unexpected(options.error());
-  auto reader = open_live(live);
-  if (!reader) return tl::unexpected(reader.error());
+  auto input = open_live(live);
+  if (!input) return tl::unexpected(input.error());
   serve::WorkbenchOptions bench;
   bench.title = title_of(live);
   bench.preset = request.preset;
   bench.options = *options;
-  return serve::Workbench::create(std::make_unique<LiveScans>(std::move(*reader)),
+  return serve::Workbench::create(std::make_unique<LiveScans>(std::move(*input)),
                                   serve::show_with(*options), std::move(bench));
 }
 

@@ -104,15 +104,26 @@ Result<void> load_labels(const std::string& path, const serve::Workbench& bench,
   return {};
 }
 
+Result<std::unique_ptr<serve::Workbench>> open_any_bench(const ViewRequest& request,
+                                                         const CommonOptions& common) {
+  if (request.scene) return open_rig_bench(*request.scene);
+  if (!request.rig.empty()) {
+    const auto scene = read_rig_scene(request.track.input, request.rig);
+    if (!scene) return tl::unexpected(scene.error());
+    return open_rig_bench(*scene);
+  }
+  if (!request.live.empty()) return open_live_bench(request.track, request.live);
+  if (!request.track.sensors.empty()) return open_passive_bench(request, common.threads);
+  return open_bench(request);
+}
+
 }  // namespace
 
 Result<OpenView> open_view(const ViewRequest& request, const CommonOptions& common) {
   if (auto fine = refuse_to_replace(request.track.input, request.labels); !fine) {
     return tl::unexpected(fine.error());
   }
-  auto bench = !request.live.sensors.empty()   ? open_live_bench(request.track, request.live)
-               : request.track.sensors.empty() ? open_bench(request)
-                                               : open_passive_bench(request, common.threads);
+  auto bench = open_any_bench(request, common);
   if (!bench) return tl::unexpected(bench.error());
   auto labels = std::make_unique<serve::Labels>(request.labels);
   if (auto done = load_labels(request.labels, **bench, *labels); !done) {

@@ -3,19 +3,33 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "command.hpp"
 #include "live_request.hpp"
 #include "scanfuse/serve/viewer.hpp"
 #include "scanfuse/triangulate/associate_scan.hpp"
+#include "scanfuse/types/turntable.hpp"
 #include "track_run.hpp"
 
 namespace scanfuse::app {
 
+/// A calibrated turntable and what its lidar saw.
+struct RigScene {
+  std::string session;
+  std::vector<TurntablePosition> positions;
+  Rig rig;
+  Camera camera;                                    ///< focal lengths 0: not known
+  std::vector<std::pair<BoardSpec, Pose3>> boards;  ///< with camera_from_board
+};
+
 /// What `view` was asked to do.
 struct ViewRequest {
-  TrackRequest track;                                          ///< input, options, truth
-  LiveRequest live;                                            ///< in place of an input
+  TrackRequest track;             ///< input, options, truth
+  LiveRequest live;               ///< in place of an input
+  std::string rig;                ///< file; then the input is a session of scans
+  std::optional<RigScene> scene;  ///< the same, calibrated just now
   std::optional<triangulate::AssociationOptions> association;  ///< of scans of bearings by itself
   bool has_preset = false;
   bool again = false;        ///< track, though tracks are stored
@@ -39,6 +53,13 @@ struct OpenView {
 /// Sensors that are running, tracked as `live` does.
 [[nodiscard]] Result<std::unique_ptr<serve::Workbench>> open_live_bench(const TrackRequest& request,
                                                                         const LiveRequest& live);
+
+/// The scans of a session and the rig that they were taken with, to be looked at.
+[[nodiscard]] Result<RigScene> read_rig_scene(const std::string& session,
+                                              const std::string& rig_path);
+
+/// A frame for each position: the cloud as far as it has been scanned, and the rig.
+[[nodiscard]] Result<std::unique_ptr<serve::Workbench>> open_rig_bench(const RigScene& scene);
 
 /// Serves until Ctrl-C; prints the address on stdout.
 [[nodiscard]] int run_view(ViewRequest request, const CommonOptions& common);

@@ -13,7 +13,8 @@ std::vector<pipeline::PosedScan> scenario_2() {
   std::vector<pipeline::PosedScan> scans;
   while (auto frame = simulation->next()) {
     ego.add(frame->ego.stamp, frame->ego.pose);
-    scans.push_back({std::move(frame->scan), frame->ego.pose, simulation->ego_from_sensor(), {}});
+    scans.push_back(
+        {std::move(frame->scan), frame->ego.pose, simulation->ego_from_sensor(), {}, {}, {}});
   }
   for (auto& posed : scans) posed.twist = ego.twist_at(posed.scan.stamp);
   return scans;

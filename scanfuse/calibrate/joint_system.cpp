@@ -32,7 +32,7 @@ GlobalMatrix invert(GlobalMatrix N, const JointUnknowns& unknowns, bool& definit
     scale[k] = active ? 1 / std::sqrt(N(k, k)) : 0;
   }
   N = scale.asDiagonal() * N * scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<GlobalMatrix> solver(N);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(N);  // 25 x 25: compiled once
   GlobalVector inverse = GlobalVector::Zero();
   for (int k = 0; k < kGlobal; ++k) {
     const double value = solver.eigenvalues()[k];
@@ -40,7 +40,7 @@ GlobalMatrix invert(GlobalMatrix N, const JointUnknowns& unknowns, bool& definit
   }
   const auto unseen = (inverse.array() == 0).count();
   definite = definite && unseen == (scale.array() == 0).count();
-  const GlobalMatrix& V = solver.eigenvectors();
+  const GlobalMatrix V = solver.eigenvectors();
   const GlobalMatrix C = V * inverse.asDiagonal() * V.transpose();
   return scale.asDiagonal() * C * scale.asDiagonal();
 }

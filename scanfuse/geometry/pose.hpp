@@ -52,6 +52,16 @@ struct Pose3 {
   }
 };
 
+/// The shortest turn that takes the z axis to the direction of `towards`, which is not zero.
+/// (Eigen's FromTwoVectors brings a singular value decomposition into every source: 5 s each.)
+[[nodiscard]] inline Eigen::Quaterniond turn_z_to(const Eigen::Vector3d& towards) {
+  const Eigen::Vector3d n = towards.normalized();
+  const double aside2 = n.head<2>().squaredNorm();
+  if (n.z() < 0 && aside2 < 1e-24) return {0, 1, 0, 0};           // straight back: about x
+  const double w = n.z() < 0 ? aside2 / (1 - n.z()) : 1 + n.z();  // 1 + n.z, exact near -z too
+  return Eigen::Quaterniond(w, -n.y(), n.x(), 0).normalized();
+}
+
 /// The pose a share `t` of the way from a to b: translation linear, rotation along the great arc.
 [[nodiscard]] inline Pose3 interpolate(const Pose3& a, const Pose3& b, double t) {
   return {a.rotation.slerp(t, b.rotation),

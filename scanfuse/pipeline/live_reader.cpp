@@ -7,8 +7,6 @@
 namespace scanfuse::pipeline {
 namespace {
 
-constexpr drivers::Milliseconds kPatience{50};
-
 /// "sick", "sick2", "sick3", ...
 std::string free_name(const std::string& wanted, std::set<std::string>& taken) {
   std::string name = wanted;
@@ -47,13 +45,6 @@ std::optional<io::Event> LiveReader::next_within(drivers::Milliseconds patience)
   if (sensors_.size() > 1) put_in_order(live->scan);
   std::string topic = live->scan.sensor;
   return io::Event{live->received, std::move(topic), std::move(live->scan)};
-}
-
-Result<std::optional<io::Event>> LiveReader::next() {
-  while (!is_over_()) {
-    if (auto event = next_within(kPatience)) return event;
-  }
-  return std::nullopt;
 }
 
 void LiveReader::put_in_order(Scan& scan) {

@@ -75,13 +75,15 @@ bool ScanFeed::is_ready(const Waiting& waiting) const {
   if (at_end_ || waiting_.size() > kMostWaiting) return true;
   if (newest_log_ - waiting.log_time > kLongestWait) return true;
   if (!options_.ego.empty()) return true;
-  bool ready = true;
-  if (recording_has_tf_ && options_.ego_topic.empty()) {
+  bool tf_may_tell = recording_has_tf_;
+  if (options_.ego_topic.empty() && (recording_has_tf_ || !tree_.empty())) {
     const Frames frames = frames_of(waiting.scan.frame_id);
-    ready = !frames.world.empty() && tree_.covers(frames.world, frames.ego, waiting.scan.stamp);
-    if (ready) return true;
+    tf_may_tell = tf_may_tell || !frames.world.empty();  // live sensors announce no tf
+    if (!frames.world.empty() && tree_.covers(frames.world, frames.ego, waiting.scan.stamp)) {
+      return true;
+    }
   }
-  return ego_topic_.empty() ? !recording_has_tf_ : ego_.covers(waiting.scan.stamp);
+  return ego_topic_.empty() ? !tf_may_tell : ego_.covers(waiting.scan.stamp);
 }
 
 Result<std::optional<PosedScan>> ScanFeed::next() {
@@ -132,6 +134,7 @@ void ScanFeed::take_pose(const std::string& topic, const PoseSample& sample) {
   if (!options_.ego.empty() || topic != ego_topic_) return;
   ego_.add(sample.stamp, sample.pose);
   frozen_.add(sample.stamp, sample.pose);
+  ego_names_ = {sample.frame_id, sample.child_frame_id};
 }
 
 PosedScan ScanFeed::pose(Scan scan) {
@@ -144,6 +147,7 @@ PosedScan ScanFeed::pose(Scan scan) {
   PosedScan posed;
   posed.scan = std::move(scan);
   place(posed);
+  name_frames(posed);
   if (options_.mount) posed.ego_from_sensor = *options_.mount;
   const Time stamp = posed.scan.stamp;
   if (options_.ego.empty()) ego_.forget_before(stamp - kMemory);
@@ -179,6 +183,7 @@ bool ScanFeed::place_by_tf(PosedScan& posed) {
   if (frames.world.empty()) return false;
   const auto ego = tree_.lookup(frames.world, frames.ego, stamp);
   if (!ego) return false;
+  posed.world_frame = frames.world;
   if (ego->extrapolated) {
     diagnostics_.note("ego pose extrapolated", fmt::format("scan {}", posed.scan.frame));
   }
@@ -190,6 +195,14 @@ bool ScanFeed::place_by_tf(PosedScan& posed) {
   }
   posed.twist = around.twist_at(stamp);
   return true;
+}
+
+void ScanFeed::name_frames(PosedScan& posed) const {
+  posed.ego_frame = tree_.empty() ? posed.scan.frame_id : frames_of(posed.scan.frame_id).ego;
+  if (!posed.world_frame.empty()) return;  // tf has told it
+  const bool told = !ego_.empty() && !ego_names_.world.empty();
+  posed.world_frame = told ? ego_names_.world : posed.ego_frame;
+  if (told && !ego_names_.ego.empty()) posed.ego_frame = ego_names_.ego;
 }
 
 std::vector<TruthFrame> ScanFeed::take_truth() { return std::exchange(truth_, {}); }

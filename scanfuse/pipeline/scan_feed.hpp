@@ -27,6 +27,8 @@ struct PosedScan {
   Pose3 world_from_ego;
   Pose3 ego_from_sensor;
   PoseBuffer::Twist twist;  ///< of the ego at the scan's stamp
+  std::string world_frame;  ///< what the recording calls the frames ("odom", "base_link"); where
+  std::string ego_frame;    ///< nothing is known of the ego's motion, both are the ego's
 };
 
 /// Turns a recording's events into scans with poses, in order of their header stamps as far as they
@@ -52,7 +54,7 @@ class ScanFeed {
     Time log_time;
   };
   struct Frames {
-    std::string world;  ///< empty: tf knows no moving ancestor
+    std::string world;  ///< empty: no moving ancestor is known
     std::string ego;
   };
   Result<bool> read_one();
@@ -68,6 +70,7 @@ class ScanFeed {
   void place(PosedScan& posed);
   /// False when tf knows the mounting only, not where the ego is.
   bool place_by_tf(PosedScan& posed);
+  void name_frames(PosedScan& posed) const;
   void note_frozen(Time stamp, std::int64_t frame);
   void choose_ego_topic();
 
@@ -78,6 +81,7 @@ class ScanFeed {
   PoseBuffer ego_;
   FrozenPoses frozen_;
   std::string ego_topic_;
+  Frames ego_names_;  ///< as the ego topic has them
   bool recording_has_tf_ = false;
   std::deque<Waiting> waiting_;
   std::vector<TruthFrame> truth_;

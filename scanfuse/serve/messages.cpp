@@ -82,11 +82,11 @@ void put_line(WireWriter& out, const ShownLine& line, const Eigen::Vector3d& ori
   out.u32(line.cluster);
 }
 
-void put_ray(WireWriter& out, const ShownRay& ray, const Eigen::Vector3d& origin_m) {
-  for (const auto& p : {ray.from_m, ray.to_m}) {
+void put_ends(WireWriter& out, const Eigen::Vector3d& from_m, const Eigen::Vector3d& to_m,
+              const Eigen::Vector3d& origin_m) {
+  for (const auto& p : {from_m, to_m}) {
     out.f32(p.x() - origin_m.x()).f32(p.y() - origin_m.y()).f32(p.z() - origin_m.z());
   }
-  out.u32(ray.sensor).put(ray.target);
 }
 
 }  // namespace
@@ -103,13 +103,20 @@ std::string frame_message(const ShownFrame& shown, RunName run, std::uint32_t fr
   put_pose(out, step.world_from_ego * step.ego_from_sensor, origin_m);
   put_pose(out, step.world_from_ego, origin_m);
   const auto range = intensity_range(shown.points);
-  out.put(range.first).put(range.second).u32(shown.sensor).u32(0);
+  out.put(range.first).put(range.second).u32(shown.sensor).u32(shown.edges.size());
   put_points(out, shown.points, range, origin_m);
   for (const auto detection : shown.detection_of_cluster) out.put(detection);
   for (const auto& line : shown.lines) put_line(out, line, origin_m);
   for (const auto& detection : step.detections) put_detection(out, detection, origin_m);
   for (const auto& track : step.tracks) put_track(out, track, origin_m);
-  for (const auto& ray : shown.rays) put_ray(out, ray, origin_m);
+  for (const auto& ray : shown.rays) {
+    put_ends(out, ray.from_m, ray.to_m, origin_m);
+    out.u32(ray.sensor).put(ray.target);
+  }
+  for (const auto& edge : shown.edges) {
+    put_ends(out, edge.from_m, edge.to_m, origin_m);
+    out.u32(static_cast<std::uint32_t>(edge.part));
+  }
   return out.take();
 }
 

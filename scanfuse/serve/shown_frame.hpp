@@ -35,6 +35,16 @@ struct ShownRay {
   std::int32_t target = -1;  ///< of the same scan; -1: taken for a false alarm
 };
 
+/// What of a rig an edge belongs to.
+enum class RigPart : std::uint32_t { kCamera, kAxis, kLidar, kBoard };
+
+/// A straight line of a rig, world frame.
+struct ShownEdge {
+  Eigen::Vector3d from_m = Eigen::Vector3d::Zero();
+  Eigen::Vector3d to_m = Eigen::Vector3d::Zero();
+  RigPart part = RigPart::kCamera;
+};
+
 /// Everything the viewer draws of one scan. `step` stands in the world frame.
 struct ShownFrame {
   StepResult step;
@@ -43,6 +53,7 @@ struct ShownFrame {
   std::vector<std::int32_t> detection_of_cluster;  ///< -1: none was made of it
   std::vector<ShownLine> lines;
   std::vector<ShownRay> rays;
+  std::vector<ShownEdge> edges;
 };
 
 /// The number of the cluster that each return belongs to, plus one; 0 for those in none. A return

@@ -140,8 +140,7 @@ double add_upper_body(Mesh& mesh, const Bicycle& bicycle, double h, const Surfac
     const Eigen::Vector3d shoulder(neck.x(), side * breadth / 2, neck.z() - 0.05);
     const Eigen::Vector3d hand(bar.x(), side * bar.y(), bar.z());
     const Eigen::Vector3d arm = hand - shoulder;
-    const Eigen::Quaterniond turn =
-        Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), arm);
+    const Eigen::Quaterniond turn = turn_z_to(arm);
     add_box(mesh, {turn, (shoulder + hand) / 2}, {0.09, 0.09, arm.norm()}, cloth);
   }
   return crown;

@@ -98,7 +98,7 @@ WorldDisc placed_disc(const TurntableWorld& world, RandomStream& random) {
   const Vector3d any = towards.unitOrthogonal();
   const double way = random.uniform(0, 2 * kPi), tilt = radians(25) * std::sqrt(random.uniform());
   const Vector3d about = Eigen::AngleAxisd(way, towards) * any;
-  const Eigen::Quaterniond facing = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), towards);
+  const Eigen::Quaterniond facing = turn_z_to(towards);
   WorldDisc disc;
   disc.camera_from_disc = {Eigen::Quaterniond(Eigen::AngleAxisd(tilt, about)) * facing, at};
   return disc;

@@ -74,7 +74,7 @@ struct Rig {
 
 /// Two unit vectors u, v that make u, v, n a right-handed frame; smooth but for n = -z.
 [[nodiscard]] inline Eigen::Matrix<double, 3, 2> axis_basis(const Eigen::Vector3d& n) {
-  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), n);
+  const Eigen::Quaterniond turn = turn_z_to(n);
   Eigen::Matrix<double, 3, 2> basis;
   basis << turn * Eigen::Vector3d::UnitX(), turn * Eigen::Vector3d::UnitY();
   return basis;

@@ -56,7 +56,8 @@ std::vector<pipeline::PosedScan> recorded(const char* scenario, int frames) {
   auto simulation = simulate::Simulation::create(scenario, 7, options);
   std::vector<pipeline::PosedScan> scans;
   while (auto frame = simulation->next()) {
-    scans.push_back({std::move(frame->scan), frame->ego.pose, simulation->ego_from_sensor(), {}});
+    scans.push_back(
+        {std::move(frame->scan), frame->ego.pose, simulation->ego_from_sensor(), {}, {}, {}});
     scans.back().twist.speed_m_per_s = 10;
   }
   return scans;

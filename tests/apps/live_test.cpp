@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "apps/process.hpp"
 #include "apps/tool.hpp"
 
 // The tool against simulated devices, in processes of their own, over loopback.
@@ -13,60 +14,6 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-
-/// A tool that runs beside the test; its errors go to a file. Killed with its owner.
-class Process {
- public:
-  Process(std::vector<std::string> arguments, const std::filesystem::path& errors) {
-    arguments.insert(arguments.begin(), SCANFUSE_TOOL);
-    std::vector<char*> argv;
-    for (auto& argument : arguments) argv.push_back(argument.data());
-    argv.push_back(nullptr);
-    child_ = ::fork();
-    if (child_ != 0) return;
-    const int file = ::open(errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    ::dup2(file, STDERR_FILENO);
-    ::dup2(file, STDOUT_FILENO);
-    ::execv(argv[0], argv.data());
-    ::_exit(127);
-  }
-  Process(const Process&) = delete;
-  Process& operator=(const Process&) = delete;
-  ~Process() { end(SIGKILL); }
-  /// Its exit code; -1 when a signal ended it.
-  int end(int signal) {
-    if (child_ <= 0) return -1;
-    ::kill(child_, signal);
-    int status = 0;
-    ::waitpid(child_, &status, 0);
-    child_ = -1;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
-
- private:
-  pid_t child_ = -1;
-};
-
-/// Plays a device until destroyed; `address` is where it was told to be found.
-class Player {
- public:
-  Player(const TemporaryFolder& folder, const std::string& device)
-      : said_(folder.path() / (device + ".err")),
-        process_({"simulate", "road-users", "--serve", device + ":0"}, said_) {
-    for (int i = 0; i < 1000 && address.empty(); ++i) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-      const std::string text = content_of(said_);
-      const auto at = text.find("serving ");
-      if (at == std::string::npos || text.find('\n', at) == std::string::npos) continue;
-      address = text.substr(at + 8, text.find('\n', at) - at - 8);
-    }
-  }
-  std::string address;
-
- private:
-  std::filesystem::path said_;
-  Process process_;
-};
 
 TEST(Live, TracksWhatASimulatedScannerSees) {
   const TemporaryFolder folder;

@@ -65,6 +65,22 @@ TEST(View, AssociationsAreShownAfterTheyWereMade) {
   EXPECT_THAT(content_of(out), HasSubstr("http://localhost:"));
 }
 
+TEST(View, ARigIsShownAfterItWasCalibrated) {
+  const TemporaryFolder folder;
+  const auto session = (folder.path() / "session").string();
+  const auto made =
+      run_tool(folder, "simulate turntable --features-only --positions 20 --quiet -o " + session);
+  ASSERT_EQ(made.code, 0) << made.err;
+  const auto out = folder.path() / "out";
+  const std::string command = "timeout -s INT 10 " + std::string(SCANFUSE_TOOL) +
+                              " calibrate turntable " + session + " --view >" + out.string() +
+                              " 2>/dev/null";
+  EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 124) << "timeout had to end it";
+  EXPECT_THAT(content_of(out), HasSubstr("axis direction"));
+  EXPECT_THAT(content_of(out), HasSubstr("http://localhost:"));
+  EXPECT_EQ(run_tool(folder, "view " + session + " --rig nothing.toml").code, 2);
+}
+
 TEST(View, SensorsAndRecordingsDoNotMix) {
   const TemporaryFolder folder;
   const auto points = folder.write("p.csv", "frame,time_s,x_m,y_m\n0,0,1,2\n").string();

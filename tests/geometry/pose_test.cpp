@@ -35,6 +35,22 @@ TEST(Pose3, AgreesWithPose2InThePlane) {
   }
 }
 
+TEST(TurnZTo, TurnsZThereByTheShortestWay) {
+  RandomStream random(3);
+  for (int i = 0; i < 100; ++i) {
+    const double near = i % 2 == 0 ? 1 : 1e-6;  // half of them all but straight back
+    const Eigen::Vector3d towards(near * random.normal(), near * random.normal(),
+                                  near < 1 ? -3 : random.normal());
+    const Eigen::Quaterniond turn = turn_z_to(towards);
+    const Eigen::Vector3d n = towards.normalized();
+    EXPECT_NEAR(turn.norm(), 1, 1e-12);
+    EXPECT_NEAR((turn * Eigen::Vector3d::UnitZ() - n).norm(), 0, 1e-9);
+    EXPECT_NEAR(turn.z(), 0, 1e-12);  // about an axis in the xy plane: the shortest
+  }
+  const Eigen::Vector3d back = turn_z_to({0, 0, -2}) * Eigen::Vector3d::UnitZ();
+  EXPECT_NEAR((back + Eigen::Vector3d::UnitZ()).norm(), 0, 1e-12);
+}
+
 TEST(WrapPi, StaysInTheHalfOpenInterval) {
   EXPECT_EQ(wrap_pi(kPi), -kPi);
   EXPECT_EQ(wrap_pi(-kPi), -kPi);

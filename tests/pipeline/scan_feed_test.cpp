@@ -97,6 +97,40 @@ TEST(ScanFeed, StaticTfGivesTheMountBesideAnOdometryTopic) {
   EXPECT_NEAR(scans[0].world_from_ego.translation_m.x(), 2, 1e-9);
 }
 
+// Live sensors cannot announce what others will say.
+TEST(ScanFeed, TfThatWasNotAnnouncedIsWaitedForOnceItTellsTheWorld) {
+  ScanFeed feed(std::make_unique<ListReader>(
+                    std::vector{scan_event(0.1), tf_event(0.2, "base_link", "laser", 2, true),
+                                scan_event(0.3), tf_event(0.4, "odom", "base_link", 4, false),
+                                scan_event(0.5), tf_event(0.6, "odom", "base_link", 6, false)}),
+                {});
+  const auto scans = drain(feed);
+  ASSERT_EQ(scans.size(), 3u);
+  EXPECT_EQ(scans[0].world_frame, "laser") << "nothing else is known yet";
+  EXPECT_EQ(scans[1].world_frame, "base_link");
+  EXPECT_EQ(scans[1].ego_frame, "base_link");
+  EXPECT_NEAR(scans[1].ego_from_sensor.translation_m.x(), 2, 1e-12);
+  EXPECT_EQ(scans[2].world_frame, "odom");
+  EXPECT_NEAR(scans[2].world_from_ego.translation_m.x(), 5, 1e-9)
+      << "between the two it waited for";
+}
+
+TEST(ScanFeed, FramesAreNamedAsTheOdometryNamesThem) {
+  auto before = odometry_event(0, 0), after = odometry_event(1, 4);
+  for (auto* event : {&before, &after}) {
+    auto& sample = std::get<PoseSample>(event->payload);
+    sample.frame_id = "odom_combined";
+    sample.child_frame_id = "chassis";
+  }
+  ScanFeed feed(std::make_unique<ListReader>(std::vector{before, scan_event(0.5), after},
+                                             std::vector{topic("/odom", "nav_msgs/Odometry")}),
+                {});
+  const auto scans = drain(feed);
+  ASSERT_EQ(scans.size(), 1u);
+  EXPECT_EQ(scans[0].world_frame, "odom_combined");
+  EXPECT_EQ(scans[0].ego_frame, "chassis");
+}
+
 TEST(ScanFeed, AGivenMountAndEgoFileWinOverTheRecording) {
   FeedOptions options;
   options.mount = Pose3::from_planar({-0.12, 0, 0});

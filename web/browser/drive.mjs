@@ -191,6 +191,76 @@ async function manyPoints(browser) {
   rmSync(file);
 }
 
+/** A turntable's rig and cloud, position by position. */
+async function turntable(browser) {
+  const session = join(out, "session");
+  rmSync(session, { recursive: true, force: true });
+  const rig = join(session, "rig.toml");
+  execFileSync(tool, ["simulate", "turntable", "--features-only", "-o", session, "--seed", "3", "--quiet"]);
+  execFileSync(tool, ["calibrate", "turntable", session, "-o", rig, "--quiet"]);
+  await visit(browser, "turntable", [join(session, "scan"), "--rig", rig], async (page) => {
+    await goTo(page, 60);
+    const [parts, early] = await page.evaluate(() => {
+      const frame = window.scanfuse.stage.panes[0].frame;
+      return [new Set(frame.edges.map((edge) => edge.part)).size, frame.clusters.length];
+    });
+    check(parts === 3, "camera, axis and lidar are drawn");
+    await page.keyboard.press("End");
+    await page.waitForTimeout(500);
+    const late = await page.evaluate(() => window.scanfuse.stage.panes[0].frame.clusters.length);
+    check(late > 1.5 * early, "the cloud grows with the positions");
+    await picture(page, "turntable");
+  });
+  rmSync(session, { recursive: true });
+}
+
+/** Watched for a while (VIEWER_MINUTES): how evenly it draws, and whether memory stays. */
+async function longWatch(browser) {
+  const minutes = Number(process.env.VIEWER_MINUTES ?? 0.25);
+  const recording = join(out, "long.mcap");
+  execFileSync(tool, ["simulate", "crossing", "-o", recording, "--seed", "7", "--quiet"]);
+  await visit(browser, `watched for ${minutes} minutes`, [recording, "--preset", "road-users"], async (page) => {
+    const client = await page.context().newCDPSession(page);
+    const heapMb = async () => {
+      await client.send("HeapProfiler.collectGarbage");
+      return (await client.send("Runtime.getHeapUsage")).usedSize / 1e6;
+    };
+    await page.evaluate(() => {
+      window.gaps = [];
+      let last = performance.now();
+      const tick = (now) => {
+        window.gaps.push(now - last);
+        last = now;
+        requestAnimationFrame(tick);
+      };
+      requestAnimationFrame(tick);
+    });
+    const end = Date.now() + 60000 * minutes;
+    let warm = 0;
+    for (let round = 0; Date.now() < end; ++round) {
+      const { playing, left } = await page.evaluate(() => {
+        const { player } = window.scanfuse;
+        return { playing: player.playing, left: player.count - 1 - player.frame };
+      });
+      if (left <= 0) await page.keyboard.press("Home");
+      if (!playing) await page.keyboard.press("Space");
+      if (round % 8 === 4) await page.keyboard.press("n");
+      if (round % 40 === 20) await page.keyboard.press("v");
+      await page.waitForTimeout(500);
+      if (warm === 0 && Date.now() > end - 45000 * minutes) {
+        warm = await heapMb();
+        await page.evaluate(() => void (window.gaps.length = 0));
+      }
+    }
+    const gaps = await page.evaluate(() => window.gaps.sort((a, b) => a - b));
+    const heap = await heapMb();
+    const at = (share) => gaps[Math.floor(share * (gaps.length - 1))].toFixed(0);
+    console.log(`   between two drawings: median ${at(0.5)} ms, 99 % ${at(0.99)} ms, longest ${at(1)} ms in software; page held ${warm.toFixed(1)} MB, holds ${heap.toFixed(1)} MB`);
+    check(heap < warm + 10, `memory stays: ${warm.toFixed(1)} MB, then ${heap.toFixed(1)} MB`);
+  });
+  rmSync(recording);
+}
+
 async function real(browser) {
   const data = (name) => join(shared, name);
   const sets = [
@@ -221,6 +291,8 @@ const browser = await openBrowser();
 try {
   await simulated(browser);
   await manyPoints(browser);
+  await turntable(browser);
+  await longWatch(browser);
   await real(browser);
 } finally {
   await browser.close();

@@ -23,6 +23,9 @@ export class Legend {
 
   private pointsText(frame: Frame | null): string {
     if (frame && frame.rays.length > 0) return raysText(frame);
+    if (frame && frame.edges.length > 0 && this.settings.colourBy === "segment") {
+      return `${frame.clusters.length.toLocaleString("en")} returns shown; coloured: those of this position`;
+    }
     const count = (frame?.clusters.length ?? 0).toLocaleString("en");
     const by = this.settings.colourBy;
     return by === "segment"

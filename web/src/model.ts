@@ -60,6 +60,14 @@ export interface Line {
   cluster: number;
 }
 
+/** A straight line of a turntable's rig. */
+export interface Edge {
+  from: [number, number, number];
+  to: [number, number, number];
+  part: number;
+}
+export const RIG_PARTS = ["camera", "axis", "lidar", "board"] as const;
+
 export interface Ray {
   from: [number, number, number];
   to: [number, number, number];
@@ -87,6 +95,7 @@ export interface Frame {
   tracks: Track[];
   truth: TruthObject[];
   rays: Ray[];
+  edges: Edge[];
 }
 
 export interface IndexPart {

@@ -111,7 +111,7 @@ function readFrame(r: Reader, bytes: ArrayBuffer): Binary {
     intensityHigh: r.f32(),
     sensor: r.u32(),
   };
-  r.u32();
+  const edges = r.u32();
   return {
     kind: "frame",
     run,
@@ -132,6 +132,11 @@ function readFrame(r: Reader, bytes: ArrayBuffer): Binary {
       to: [r.f32(), r.f32(), r.f32()],
       sensor: r.u32(),
       target: r.i32(),
+    })),
+    edges: many(edges, () => ({
+      from: [r.f32(), r.f32(), r.f32()],
+      to: [r.f32(), r.f32(), r.f32()],
+      part: r.u32(),
     })),
     truth: many(truth, () => {
       const id = r.f64();

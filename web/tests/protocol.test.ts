@@ -19,6 +19,7 @@ describe("decode", () => {
     expect(track?.status).toBe(1);
     expect(track?.nis).toBeCloseTo(2.5);
     expect(track?.age).toBe(7);
+    expect(frame.edges).toEqual([{ from: [0, 0, 0], to: [0, 0, 0.5], part: 1 }]);
     expect(frame.truth[0]?.id).toBe(9);
   });
 

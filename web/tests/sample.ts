@@ -22,7 +22,7 @@ export function frameBytes(run: number, frame: number, points: number): ArrayBuf
   f32(0);
   f32(255);
   u32(0);
-  u32(0);
+  u32(1);
   for (let i = 0; i < 3 * points; ++i) f32(i);
   for (let i = 0; i < points; ++i) bytes.push(i % 2, 0);
   align();
@@ -39,6 +39,8 @@ export function frameBytes(run: number, frame: number, points: number): ArrayBuf
   for (const v of [10, 20, 0, 0.1, 4, 2, 1.5, 3, 4, 0.1, 0.02, 0.2, 5, 0, 0, 0.75, 0.5, 2.5]) f32(v);
   i32(0);
   for (const v of [7, 0, 1 | (1 << 8)]) u32(v);
+  for (const v of [0, 0, 0, 0, 0, 0.5]) f32(v);
+  u32(1);
   f64(9);
   for (const v of [10, 20, 0, 0.1, 4, 2, 1.5]) f32(v);
   u32(1);

@@ -172,8 +172,7 @@ double slope_sigma(const Cloud& cloud, const FittedDisc& disc, const MeasureOpti
     FlatPart tilted = disc.part;
     Eigen::Vector3d slopes = Eigen::Vector3d::UnitZ();
     slopes[k - 1] = -sigma;
-    const Eigen::Quaterniond turn =
-        Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), slopes);
+    const Eigen::Quaterniond turn = turn_z_to(slopes);
     tilted.plane.axes = disc.part.plane.axes * turn.toRotationMatrix();
     const auto there = fit_edge(cloud, std::move(tilted), disc.edge, options);
     if (!there) continue;

@@ -47,6 +47,13 @@ const std::map<std::string, std::string>& part_fields() {
        "visualization_msgs/UVCoordinate[] uv_coordinates\nstring text\n"
        "string mesh_resource\nvisualization_msgs/MeshFile mesh_file\n"
        "bool mesh_use_embedded_materials\n"},
+      {"vision_msgs/ObjectHypothesis", "string class_id\nfloat64 score\n"},
+      {"vision_msgs/ObjectHypothesisWithPose",
+       "vision_msgs/ObjectHypothesis hypothesis\ngeometry_msgs/PoseWithCovariance pose\n"},
+      {"vision_msgs/BoundingBox3D", "geometry_msgs/Pose center\ngeometry_msgs/Vector3 size\n"},
+      {"vision_msgs/Detection3D",
+       "std_msgs/Header header\nvision_msgs/ObjectHypothesisWithPose[] results\n"
+       "vision_msgs/BoundingBox3D bbox\nstring id\n"},
       {"diagnostic_msgs/KeyValue", "string key\nstring value\n"},
       {"diagnostic_msgs/DiagnosticStatus",
        "byte OK=0\nbyte WARN=1\nbyte ERROR=2\nbyte STALE=3\n"
@@ -84,6 +91,12 @@ const std::map<std::string, Definition>& written_types() {
          "geometry_msgs/Vector3", "std_msgs/ColorRGBA", "builtin_interfaces/Duration",
          "sensor_msgs/CompressedImage", "visualization_msgs/UVCoordinate",
          "visualization_msgs/MeshFile"}}},
+      {"vision_msgs/msg/Detection3DArray",
+       {"std_msgs/Header header\nvision_msgs/Detection3D[] detections\n",
+        {"std_msgs/Header", "builtin_interfaces/Time", "vision_msgs/Detection3D",
+         "vision_msgs/ObjectHypothesisWithPose", "vision_msgs/ObjectHypothesis",
+         "geometry_msgs/PoseWithCovariance", "geometry_msgs/Pose", "geometry_msgs/Point",
+         "geometry_msgs/Quaternion", "vision_msgs/BoundingBox3D", "geometry_msgs/Vector3"}}},
       {"diagnostic_msgs/msg/DiagnosticArray",
        {"std_msgs/Header header\ndiagnostic_msgs/DiagnosticStatus[] status\n",
         {"std_msgs/Header", "builtin_interfaces/Time", "diagnostic_msgs/DiagnosticStatus",

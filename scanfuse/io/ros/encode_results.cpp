@@ -43,6 +43,13 @@ void put_vector(CdrWriter& out, const Eigen::Vector3d& v) {
   for (const double value : v) out.write(value);
 }
 
+void put_pose(CdrWriter& out, const Eigen::Vector3d& position_m, double heading_rad) {
+  put_vector(out, position_m);
+  for (const double q : {0.0, 0.0, std::sin(heading_rad / 2), std::cos(heading_rad / 2)}) {
+    out.write(q);
+  }
+}
+
 void put_header(CdrWriter& out, Time stamp, std::string_view frame) {
   out.write_time(stamp);
   out.write_string(frame);
@@ -54,11 +61,7 @@ void write_marker(CdrWriter& out, const Marker& marker, const StepResult& step) 
   out.write(marker.id);
   out.write(marker.type);
   out.write(marker.action);
-  put_vector(out, marker.position_m);
-  for (const double q :
-       {0.0, 0.0, std::sin(marker.heading_rad / 2), std::cos(marker.heading_rad / 2)}) {
-    out.write(q);
-  }
+  put_pose(out, marker.position_m, marker.heading_rad);
   put_vector(out, marker.scale_m);
   for (const float part : marker.colour) out.write(part);
   out.write(std::int32_t{0});  // lifetime: until the next array
@@ -80,22 +83,43 @@ void write_marker(CdrWriter& out, const Marker& marker, const StepResult& step) 
 
 double drawn_height(const Track& track) { return track.height_m > 0 ? track.height_m : 1.5; }
 
+Eigen::Vector3d centre_of(const Track& track) {
+  return {track.box.centre_m.x(), track.box.centre_m.y(), drawn_height(track) / 2};
+}
+
+Eigen::Vector3d size_of(const Track& track) {
+  return {track.box.length_m, track.box.width_m, drawn_height(track)};
+}
+
+/// Row by row over x, y, z and the turns about them.
+void put_covariance(CdrWriter& out, const Gaussian<4>& state) {
+  static constexpr std::array<int, 2> kPosition{0, 2};  // of x, vx, y, vy
+  for (std::size_t row = 0; row < 6; ++row) {
+    for (std::size_t column = 0; column < 6; ++column) {
+      const bool known = row < 2 && column < 2;
+      out.write(known ? state.covariance(kPosition[row], kPosition[column]) : 0.0);
+    }
+  }
+}
+
+std::vector<const Track*> shown_tracks(const StepResult& step) {
+  std::vector<const Track*> shown;
+  for (const Track& track : step.tracks) {
+    if (track.status != TrackStatus::kTentative) shown.push_back(&track);
+  }
+  return shown;
+}
+
 std::vector<Marker> markers_of(const StepResult& step) {
   std::vector<Marker> markers(1);
   markers.front().action = kDeleteAll;
-  for (const Track& track : step.tracks) {
-    if (track.status == TrackStatus::kTentative) continue;
+  for (const Track* shown : shown_tracks(step)) {
+    const Track& track = *shown;
     const double height = drawn_height(track);
-    const Eigen::Vector3d centre(track.box.centre_m.x(), track.box.centre_m.y(), height / 2);
+    const Eigen::Vector3d centre = centre_of(track);
     const auto id = static_cast<std::int32_t>(2 * track.id);
-    markers.push_back({id,
-                       kCube,
-                       kAdd,
-                       centre,
-                       track.box.heading_rad,
-                       {track.box.length_m, track.box.width_m, height},
-                       colour_of(track),
-                       ""});
+    markers.push_back(
+        {id, kCube, kAdd, centre, track.box.heading_rad, size_of(track), colour_of(track), ""});
     markers.push_back({id + 1,
                        kTextFacing,
                        kAdd,
@@ -117,6 +141,40 @@ EncodedMessage encode_markers(const StepResult& step) {
   for (const Marker& marker : markers) write_marker(out, marker, step);
   const std::string type = "visualization_msgs/msg/MarkerArray";
   return {type, definition_of(type), out.take()};
+}
+
+EncodedMessage encode_detections(const StepResult& step) {
+  CdrWriter out;
+  put_header(out, step.stamp, step.coordinate_frame);
+  const auto shown = shown_tracks(step);
+  out.write(static_cast<std::uint32_t>(shown.size()));
+  for (const Track* track : shown) {
+    put_header(out, step.stamp, step.coordinate_frame);
+    out.write(std::uint32_t{1});
+    out.write_string(to_string(track->object_class));
+    out.write(track->class_probability);
+    put_pose(out, centre_of(*track), track->box.heading_rad);
+    put_covariance(out, track->state);
+    put_pose(out, centre_of(*track), track->box.heading_rad);
+    put_vector(out, size_of(*track));
+    out.write_string(fmt::format("{}", track->id));
+  }
+  const std::string type = "vision_msgs/msg/Detection3DArray";
+  return {type, definition_of(type), out.take()};
+}
+
+std::vector<TransformSample> track_transforms(const StepResult& step) {
+  std::vector<TransformSample> edges;
+  for (const Track* track : shown_tracks(step)) {
+    const Eigen::Quaterniond turn(
+        Eigen::AngleAxisd(track->box.heading_rad, Eigen::Vector3d::UnitZ()));
+    edges.push_back({step.stamp,
+                     step.coordinate_frame,
+                     fmt::format("track_{}", track->id),
+                     {turn, centre_of(*track)},
+                     false});
+  }
+  return edges;
 }
 
 EncodedMessage encode_diagnostics(Time stamp, const std::vector<DiagnosticStatus>& status) {

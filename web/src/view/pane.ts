@@ -1,7 +1,7 @@
 import * as THREE from "three";
 
 import { PALETTES, rgb } from "../palette";
-import type { Box, Frame, Track } from "../protocol";
+import { type Box, type Frame, RIG_PARTS, type Track } from "../protocol";
 import type { LabelBox } from "../messages";
 import type { Settings } from "../settings";
 import { clusterOfTrack } from "./colours";
@@ -55,7 +55,8 @@ export class Pane {
     if (shown.truth) this.drawTruth(frame);
     if (shown.boxes) for (const track of this.visibleTracks()) this.drawTrack(frame, track);
     if (shown.sight) this.drawSight(frame);
-    if (frame.rays.length > 0) this.drawRays(frame);
+    if (frame.edges.length > 0) this.drawRig(frame);
+    else if (frame.rays.length > 0) this.drawRays(frame);
     else this.drawSensor(frame);
     this.drawLabels();
     for (const layer of [this.lines, this.pale, this.faces]) layer.end();
@@ -192,6 +193,21 @@ export class Pane {
       this.drawMark(ray.from, 1.5 * size, this.lines, rgb(this.palette.text));
       const [x, y, z] = ray.from;
       this.tags.push({ text: `sensor ${ray.sensor + 1}`, x, y, z, colour: this.palette.text, track: null, faint: false });
+    }
+  }
+
+  /** A turntable's rig: camera, axis, lidar as it stands now, boards; a name at each. */
+  private drawRig(frame: Frame): void {
+    const { text, accent, warning, noise } = this.palette;
+    const colours = [text, accent, warning, noise];
+    const named = new Set<number>();
+    for (const { from, to, part } of frame.edges) {
+      const colour = colours[part] ?? text;
+      this.lines.line(from, to, from[2], to[2], rgb(colour));
+      if (named.has(part)) continue;
+      named.add(part);
+      const [x, y, z] = from;
+      this.tags.push({ text: RIG_PARTS[part] ?? "", x, y, z, colour, track: null, faint: false });
     }
   }
 
