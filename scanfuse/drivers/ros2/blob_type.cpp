@@ -1,13 +1,21 @@
 #include "scanfuse/drivers/ros2/blob_type.hpp"
 
+#include <dds/ddsi/ddsi_serdata.h>
+#include <dds/ddsi/ddsi_sertype.h>
 #include <dds/ddsi/q_radmin.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
-#include <limits>
 
 namespace scanfuse::drivers {
 namespace {
+
+/// A message, padded to a multiple of 4. Cyclone counts its references and frees it.
+struct Blob : ddsi_serdata {
+  Bytes bytes;
+  std::size_t size = 0;  ///< of the message, without the padding
+};
 
 const Blob& as_blob(const ddsi_serdata* data) { return *static_cast<const Blob*>(data); }
 
@@ -156,6 +164,11 @@ const ddsi_sertype_ops& type_ops() {
 }
 
 }  // namespace
+
+ByteView bytes_of(const ddsi_serdata* message) {
+  const Blob& blob = as_blob(message);
+  return {blob.bytes.data(), blob.size};
+}
 
 ddsi_sertype* make_blob_type(const std::string& dds_type_name) {
   auto* type = new ddsi_sertype{};

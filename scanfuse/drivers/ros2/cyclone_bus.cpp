@@ -1,4 +1,6 @@
 #include <dds/dds.h>
+#include <dds/ddsi/ddsi_serdata.h>
+#include <dds/ddsi/ddsi_sertype.h>
 
 #include <algorithm>
 #include <array>
@@ -26,9 +28,14 @@ constexpr const char* kLocalhostOnly =
     "<MaxAutoParticipantIndex>60</MaxAutoParticipantIndex>"
     "<Peers><Peer address=\"127.0.0.1\"/></Peers></Discovery>";
 
+bool is_set_to(const char* variable, std::string_view value) {
+  const char* text = std::getenv(variable);
+  return text != nullptr && text == value;
+}
+
 bool is_localhost_only() {
-  const char* text = std::getenv("ROS_LOCALHOST_ONLY");
-  return text != nullptr && std::string_view(text) == "1";
+  return is_set_to("ROS_LOCALHOST_ONLY", "1") ||
+         is_set_to("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST");
 }
 
 struct QosDelete {
@@ -67,8 +74,7 @@ void take_all(dds_entity_t reader, void* argument) {
     const auto count = dds_takecdr(reader, messages.data(), kAtOnce, infos.data(), DDS_ANY_STATE);
     if (count <= 0) return;
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-      const auto& blob = *static_cast<const Blob*>(messages[i]);
-      if (infos[i].valid_data) subscription.take(ByteView(blob.bytes.data(), blob.size));
+      if (infos[i].valid_data) subscription.take(bytes_of(messages[i]));
       ddsi_serdata_unref(messages[i]);
     }
   }
