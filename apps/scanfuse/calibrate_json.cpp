@@ -7,21 +7,21 @@
 namespace scanfuse::app {
 namespace {
 
-using nlohmann::json;
+nlohmann::json list(const Eigen::VectorXd& v) {
+  return std::vector<double>(v.data(), v.data() + v.size());
+}
 
-json list(const Eigen::VectorXd& v) { return std::vector<double>(v.data(), v.data() + v.size()); }
-
-json matrix(const calibrate::RigCovariance& m) {
-  json rows = json::array();
+nlohmann::json matrix(const calibrate::RigCovariance& m) {
+  nlohmann::json rows = nlohmann::json::array();
   for (int r = 0; r < m.rows(); ++r) rows.push_back(list(m.row(r).transpose()));
   return rows;
 }
 
-json mean_max(const calibrate::MeanMax& value) {
+nlohmann::json mean_max(const calibrate::MeanMax& value) {
   return {{"mean", value.mean}, {"max", value.max}};
 }
 
-json camera_json(const Camera& camera) {
+nlohmann::json camera_json(const Camera& camera) {
   return {{"width_px", camera.width_px},
           {"height_px", camera.height_px},
           {"fx_px", camera.fx_px},
@@ -46,10 +46,10 @@ std::string reason_of(const calibrate::TurntableCalibration& calibration,
   return calibration.positions[position].reason;
 }
 
-json calibration_json(const calibrate::TurntableCalibration& calibration,
-                      const pipeline::LoadedSession& session) {
+nlohmann::json calibration_json(const calibrate::TurntableCalibration& calibration,
+                                const pipeline::LoadedSession& session) {
   const Rig& rig = calibration.rig;
-  json left_out = json::array(), positions = json::array();
+  nlohmann::json left_out = nlohmann::json::array(), positions = nlohmann::json::array();
   for (std::size_t k = 0; k < calibration.positions.size(); ++k) {
     const auto& position = calibration.positions[k];
     if (!position.used) {

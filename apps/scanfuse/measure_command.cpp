@@ -12,7 +12,6 @@ namespace {
 
 using calibrate::CropBox;
 using calibrate::Measured;
-using nlohmann::json;
 
 struct MeasureArguments {
   std::string cloud;
@@ -79,18 +78,18 @@ Result<MeasureInput> read_input(const MeasureArguments& arguments) {
   return input;
 }
 
-json vector_json(const Eigen::Vector3d& v, double scale = 1) {
+nlohmann::json vector_json(const Eigen::Vector3d& v, double scale = 1) {
   return {v.x() * scale, v.y() * scale, v.z() * scale};
 }
 
-json measured_json(const Measured& m, double scale) {
+nlohmann::json measured_json(const Measured& m, double scale) {
   return {{"value", m.value * scale},
           {"sigma", m.sigma() * scale},
           {"sigma_points", m.sigma_points * scale},
           {"sigma_rig", m.sigma_rig * scale}};
 }
 
-json plane_json(const calibrate::PlaneMeasure& plane) {
+nlohmann::json plane_json(const calibrate::PlaneMeasure& plane) {
   return {{"normal", vector_json(plane.normal)},
           {"center_mm", vector_json(plane.centre_m, 1e3)},
           {"distance_mm", measured_json(plane.distance_m, 1e3)},
@@ -111,7 +110,7 @@ std::string with_sigma(const Measured& m) {
 /// Rows of text and the JSON object of one measure.
 struct MeasureResult {
   std::vector<std::pair<std::string, std::string>> rows;
-  json object;
+  nlohmann::json object;
 };
 
 CropBox first_crop(const MeasureInput& input) {

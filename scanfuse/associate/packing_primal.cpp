@@ -20,12 +20,12 @@ class Swapper {
   /// Puts a column in if that, after refilling, gains weight.
   bool try_column(std::int32_t column) {
     if (is_chosen(column)) return false;
-    removed_ = owners(column);
+    find_owners(column);
     double gain = weight(column);
     for (const auto out : removed_) gain -= weight(out);
     for (const auto out : removed_) drop(out);
     take(column);
-    added_ = {column};
+    added_.assign(1, column);
     gain += refill();
     if (gain > 1e-12 * weight(column)) return true;
     for (const auto in : added_) drop(in);
@@ -66,13 +66,15 @@ class Swapper {
                                [&](auto row) { return owner_[static_cast<std::size_t>(row)] < 0; });
   }
 
-  [[nodiscard]] std::vector<std::int32_t> owners(std::int32_t j) const {
-    std::vector<std::int32_t> found;
+  /// The chosen columns that stand in the way of one.
+  void find_owners(std::int32_t j) {
+    removed_.clear();
     for (const auto row : rows(j)) {
       const auto owner = owner_[static_cast<std::size_t>(row)];
-      if (owner >= 0 && std::ranges::find(found, owner) == found.end()) found.push_back(owner);
+      if (owner >= 0 && std::ranges::find(removed_, owner) == removed_.end()) {
+        removed_.push_back(owner);
+      }
     }
-    return found;
   }
 
   /// Candidates of each row, in their order.

@@ -162,8 +162,9 @@ void ClusterJoiner::claim(const VirtualScan& scan, const Clusters& clusters, con
   const double reach = 0.5 * std::hypot(object.box.length_m, object.box.width_m) + 2 * margin;
   const Bearings bearings(object.box.centre_m, reach);
   const std::size_t loose_before = loose_.size();
+  const InBox is_inside(object.box, margin);
   for_points_within(scan, bearings, [&](std::uint32_t i) {
-    if (!object.box.contains(scan.position(i), margin)) return;
+    if (!is_inside(scan.position(i))) return;
     if (labels_[i] >= 0) {
       ++inside_[static_cast<std::size_t>(labels_[i])];
     } else {

@@ -36,9 +36,22 @@ bool are_alike(ObjectClass believed, const Detection& detection) {
   return believed == detection.object_class;
 }
 
+/// Whether the innovation may be within the gate's distance, wherever in both boxes is measured.
+bool may_be_near(const Target& target, const Detection& detection, const TrackerOptions& options) {
+  if (options.measurement == MeasuredAs::kVisibleMiddle) return true;
+  const Eigen::Vector2d apart = detection.box.centre_m - target.position_m() -
+                                detection.time_offset_s * target.velocity_m_per_s();
+  // Half diagonals are at most half of both sides together.
+  const double halves_m = 0.5 * (detection.box.length_m + detection.box.width_m +
+                                 target.state.mean.tail<2>().lpNorm<1>());
+  const double reach_m = options.gate_distance_m + halves_m + 1e-6;
+  return apart.squaredNorm() < reach_m * reach_m;
+}
+
 /// Cost of the pair, or nothing outside the gate.
 std::optional<double> gated_cost(const Target& target, const Detection& detection, double gate,
                                  const TrackerOptions& options) {
+  if (!may_be_near(target, detection, options)) return std::nullopt;
   const Measurement m = measure(detection, target, options);
   const auto nu = estimate::innovation(target.state, m.position, m.H);
   const double squared_distance = nu.residual.squaredNorm();

@@ -51,6 +51,35 @@ TEST(TurnZTo, TurnsZThereByTheShortestWay) {
   EXPECT_NEAR((back + Eigen::Vector3d::UnitZ()).norm(), 0, 1e-12);
 }
 
+TEST(WrapPi, IsTheLibrarysRemainderEverywhere) {
+  RandomStream random(4);
+  for (int i = 0; i < 10000; ++i) {
+    const double angle = random.uniform(-20, 20);
+    const double whole = std::remainder(angle, 2 * kPi), half = std::remainder(angle, kPi);
+    EXPECT_EQ(wrap_pi(angle), whole >= kPi ? whole - 2 * kPi : whole);
+    EXPECT_EQ(wrap_half_pi(angle), half >= kPi / 2 ? half - kPi : half);
+  }
+}
+
+TEST(Box2, HoldsWhatItsOwnFrameSays) {
+  RandomStream random(5);
+  for (int i = 0; i < 10000; ++i) {
+    const Box2 box{{random.uniform(-50, 50), random.uniform(-50, 50)},
+                   random.uniform(-4, 4),
+                   random.uniform(0, 5),
+                   random.uniform(0, 2)};
+    const double margin = random.uniform(0, 1);
+    const Eigen::Vector2d point =
+        box.centre_m + 4 * Eigen::Vector2d(random.normal(), random.normal());
+    const Eigen::Vector2d local = box.pose().inverse() * point;
+    const Eigen::Vector2d beyond(std::abs(local.x()) - box.length_m / 2 - margin,
+                                 std::abs(local.y()) - box.width_m / 2 - margin);
+    if (beyond.cwiseAbs().minCoeff() < 1e-9) continue;  // on the border
+    EXPECT_EQ(box.contains(point, margin), beyond.maxCoeff() < 0);
+    EXPECT_EQ(InBox(box, margin)(point), beyond.maxCoeff() < 0);
+  }
+}
+
 TEST(WrapPi, StaysInTheHalfOpenInterval) {
   EXPECT_EQ(wrap_pi(kPi), -kPi);
   EXPECT_EQ(wrap_pi(-kPi), -kPi);

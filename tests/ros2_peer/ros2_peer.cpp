@@ -243,8 +243,8 @@ int main(int argc, char** argv) {
       // While it passes in full view; tracks of the pass before may still coast elsewhere.
       if (then < 1.5 || then > 4.5 || heard.detections.empty()) continue;
       const auto [x, y] = car.centre(then);
-      const auto distance_m = [x = x, y = y](const Detection& one) {
-        return std::hypot(one.centre.position[0] - x, one.centre.position[1] - y);
+      const auto distance_m = [at_x = x, at_y = y](const Detection& one) {
+        return std::hypot(one.centre.position[0] - at_x, one.centre.position[1] - at_y);
       };
       last = *std::min_element(
           heard.detections.begin(), heard.detections.end(),
