@@ -36,7 +36,7 @@ export class Stage {
     this.panes = [new Pane(settings, new TrailMemory()), new Pane(settings, new TrailMemory())];
     // Colours are given as they are to be seen; nothing is lit.
     THREE.ColorManagement.enabled = false;
-    this.renderer = new THREE.WebGLRenderer({ antialias: true });
+    this.renderer = new THREE.WebGLRenderer({ antialias: !isDrawnInSoftware() });
     this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
     this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
     this.renderer.setScissorTest(true);
@@ -189,6 +189,15 @@ export class Stage {
     }
     return best;
   }
+}
+
+/** Without a graphics card smooth edges would more than double what a frame costs. */
+function isDrawnInSoftware(): boolean {
+  const gl = document.createElement("canvas").getContext("webgl2");
+  const names = gl?.getExtension("WEBGL_debug_renderer_info");
+  const name = gl && names ? String(gl.getParameter(names.UNMASKED_RENDERER_WEBGL)) : "";
+  gl?.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|software|basic render/i.test(name);
 }
 
 /** The middle of the returns and the reach within which most of them lie. */
