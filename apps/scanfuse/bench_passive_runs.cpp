@@ -58,6 +58,7 @@ PassiveOutcome run_passive(const PassiveOptions& options, const SeedRange& seeds
     const auto recording = simulate::simulate_passive(options, seeds.first + k);
     if (!recording) return;
     AssociationOptions association;
+    association.time_limit_s = run.time_limit_s;
     association.cost = cost;
     association.posterior = run.posterior;
     PassiveOutcome& part = parts[k];
