@@ -160,7 +160,7 @@ class ChartCanvas {
     double x = kLeft;
     int row = 0;
     for (std::size_t k = 0; k < chart_.series.size(); ++k) {
-      if (chart_.series[k].points.empty()) continue;
+      if (chart_.series[k].points.empty() || chart_.series[k].name.empty()) continue;
       const double width = 34 + 6.2 * static_cast<double>(chart_.series[k].name.size());
       if (x > kLeft && x + width - 18 > chart_.width_px) {
         x = kLeft;
