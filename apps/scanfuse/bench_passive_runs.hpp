@@ -23,7 +23,7 @@ struct PassiveOutcome {
 struct PassiveRunOptions {
   bool posterior = false;
   bool keep_packings = false;
-  double time_limit_s = 60;  ///< of the solver
+  double time_limit_s = triangulate::AssociationOptions{}.time_limit_s;  ///< of the solver
 };
 
 /// The first scan of each seed's scene, associated.

@@ -36,8 +36,8 @@ using TakeMessage = std::function<void(ByteView)>;
 
 /// A participant of ROS 2's data bus (DDS, by Eclipse Cyclone), without ROS: messages in and out as
 /// CDR bytes, under the names that ROS 2 gives its topics and types on the wire ("rt/scan",
-/// "sensor_msgs::msg::dds_::LaserScan_") [REP-2000s; design.ros2.org, "Topic and Service name
-/// mapping to DDS"]. ROS_LOCALHOST_ONLY=1 and CYCLONEDDS_URI hold as they do for ROS 2.
+/// "sensor_msgs::msg::dds_::LaserScan_") [design.ros2.org, "Topic and Service name mapping to
+/// DDS"]. ROS_LOCALHOST_ONLY=1, ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST and CYCLONEDDS_URI hold.
 /// Safe to use from several threads.
 class Ros2Bus {
  public:
