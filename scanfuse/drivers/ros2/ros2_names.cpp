@@ -21,7 +21,7 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
 }  // namespace
 
 Result<std::string> ros2_topic_name(const std::string& text) {
-  const std::string name = text.starts_with('/') ? text : "/" + text;
+  std::string name = text.starts_with('/') ? text : "/" + text;
   char before = '\0';
   bool good = name.size() > 1 && name.size() <= 248 && name.back() != '/';
   for (const char c : name) {
