@@ -22,10 +22,7 @@ constexpr double kWander_m = 0.05;            ///< of the place at rest, in one 
 constexpr double kStillSpeed_m_per_s = 0.05;  ///< what "at rest" allows
 constexpr double kOnsetSpeed_m_per_s = 1.5;   ///< of something that starts to move
 constexpr double kAtRest_m_per_s = 0.1;
-constexpr double kInMotion_m_per_s = 3;
 constexpr double kMovingMemory_s = 0.4;
-/// Errors of a velocity last: what a side that comes into view does to it is not in its covariance.
-constexpr double kLastingErrors = 4;
 constexpr double kRest_s = 1;
 constexpr double kDepartedProbability = 0.6;
 constexpr double kLeastWander_m = 0.04;
@@ -34,6 +31,19 @@ constexpr double kLeaving_m_per_s = 0.2;
 constexpr double kFastestTurn_rad_per_s = 1.5;  ///< boxes that jump turn faster, vehicles do not
 constexpr double kStraight_rad_per_s = 0.02;
 constexpr double kTurning_rad_per_s = 0.3;
+
+/// What a velocity is weighed with.
+struct Moving {
+  double speed_m_per_s;  ///< of what moves, by axis
+  /// Errors of a velocity last: what a side that comes into view does to it is not in its
+  /// covariance, which is so many times as large. What is slim has no such sides.
+  double lasting_errors;
+};
+
+Moving moving_of(ObjectClass kind) {
+  if (kind == ObjectClass::kPedestrian) return {1, 2};
+  return {3, 4};
+}
 
 /// Modes are left so often, 1/s.
 Switching switching_rates() {
@@ -165,9 +175,10 @@ void update_moving(Target& target, double dt_s, const TrackerOptions& options) {
   const auto& C = target.state.covariance;
   Eigen::Matrix2d P;
   P << C(kVx, kVx), C(kVx, kVy), C(kVy, kVx), C(kVy, kVy);
-  P *= kLastingErrors;
+  const Moving kind = moving_of(user_class_of(target));
+  P *= kind.lasting_errors;
   const Eigen::Vector2d v = target.velocity_m_per_s();
-  const double odds = log_density(v, P, kAtRest_m_per_s) - log_density(v, P, kInMotion_m_per_s);
+  const double odds = log_density(v, P, kAtRest_m_per_s) - log_density(v, P, kind.speed_m_per_s);
   const double now = 1 / (1 + std::exp(odds));
   target.moving += (1 - std::exp(-dt_s / kMovingMemory_s)) * (now - target.moving);
   if (departs(target, dt_s)) target.moving = std::max(target.moving, kDepartedProbability);

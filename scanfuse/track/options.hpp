@@ -69,6 +69,7 @@ struct TrackerOptions {
   double coast_hidden_share = 6;
   double coast_sigma_m = 2.5;
   int coast_frames = 0;
+  double lost_s = 3;
   double max_gap_s = 2;
   double confirm_other_probability = 0.2;
   double doubt_other_probability = 0.3;
@@ -116,6 +117,8 @@ struct TrackerOptions {
               "nor past the scan when its place is known no better than this"},
         Field{"coast_frames", &O::coast_frames, 0, 1000,
               "when not 0: the same counted in scans, for every track"},
+        Field{"lost_s", &O::lost_s, 0.0, 60.0,
+              "a confirmed track given up is known again so long after it was last seen"},
         Field{"max_gap_s", &O::max_gap_s, 0.1, 3600.0,
               "a longer pause in the data, or a step back by more, drops every track"},
         Field{"confirm_other_probability", &O::confirm_other_probability, 0.0, 1.0,
@@ -145,6 +148,7 @@ struct TrackerOptions {
   options.confirm_hits = 1;
   options.confirm_window = 1;
   options.coast_frames = 20;
+  options.lost_s = 0;
   options.births_inside_tracks = true;
   return options;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -30,6 +31,13 @@ void predict(std::vector<Target>& targets, double dt_s, const TrackerOptions& op
 [[nodiscard]] std::span<const associate::Candidate> gated_candidates(
     std::span<const Target> targets, std::span<const Detection> detections,
     const TrackerOptions& options, Workspace& workspace);
+
+/// The same of one pair; nothing outside the gate.
+[[nodiscard]] std::optional<double> pair_cost(const Target& target, const Detection& detection,
+                                              const TrackerOptions& options);
+
+/// Learned classes waver between small ones from scan to scan; only a vehicle is another thing.
+[[nodiscard]] bool are_alike(const Target& target, const Detection& detection);
 
 /// The cost from which a pair is not made, for the distance in use.
 [[nodiscard]] double unassigned_cost(const TrackerOptions& options);

@@ -50,6 +50,7 @@ std::optional<double> Tracker::advance_clock(Time stamp) {
         dt_s < 0 ? "clock stepped back, tracks dropped" : "pause in the data, tracks dropped",
         where());
     targets_.clear();
+    lost_.clear();
   }
   last_ = stamp;
   return jumped ? 0.0 : dt_s;
@@ -116,9 +117,18 @@ void Tracker::fold_in(Time stamp, double dt_s, bool same_instant) {
       miss(targets_[t], dt_s, shadows_.hidden_share(targets_[t].box()) >= kHiddenShare);
     }
   }
-  std::erase_if(targets_, [&](const Target& t) { return is_over(t, stamp, options_); });
+  give_up(stamp, dt_s);
   give_birth(stamp, dt_s, assignment.track_of_detection);
   if (!options_.births_inside_tracks) merge_duplicates(targets_, workspace_);
+}
+
+void Tracker::give_up(Time stamp, double dt_s) {
+  lost_.advance(stamp, dt_s, options_);
+  std::erase_if(targets_, [&](const Target& target) {
+    if (!is_over(target, stamp, options_)) return false;
+    lost_.keep(target);
+    return true;
+  });
 }
 
 void Tracker::give_birth(Time stamp, double dt_s, std::span<const int> track_of_detection) {
@@ -127,7 +137,12 @@ void Tracker::give_birth(Time stamp, double dt_s, std::span<const int> track_of_
     if (track_of_detection[d] >= 0) continue;
     const std::span<const Target> present(targets_.data(), elders);
     if (!options_.births_inside_tracks && is_part_of(usable_[d], present)) continue;
-    targets_.push_back(birth(usable_[d], source_[d], next_id_++, stamp, dt_s, options_));
+    if (auto known = lost_.find(usable_[d], options_)) {
+      update(*known, usable_[d], source_[d], stamp, dt_s, options_);
+      targets_.push_back(std::move(*known));
+    } else {
+      targets_.push_back(birth(usable_[d], source_[d], next_id_++, stamp, dt_s, options_));
+    }
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "scanfuse/core/diagnostics.hpp"
 #include "scanfuse/track/hidden.hpp"
+#include "scanfuse/track/lost.hpp"
 #include "scanfuse/track/options.hpp"
 #include "scanfuse/track/steps.hpp"
 #include "scanfuse/track/target.hpp"
@@ -45,6 +46,7 @@ class Tracker {
   /// Keeps the usable ones, and where they stood.
   void select_usable(std::span<const Detection> detections);
   void fold_in(Time stamp, double dt_s, bool same_instant);
+  void give_up(Time stamp, double dt_s);
   void give_birth(Time stamp, double dt_s, std::span<const int> track_of_detection);
   void report();
 
@@ -52,6 +54,7 @@ class Tracker {
   Diagnostics diagnostics_;
   std::vector<Target> targets_;
   Workspace workspace_;
+  LostTargets lost_;
   Shadows shadows_;
   associate::Associator associate_;
   std::vector<Detection> usable_;

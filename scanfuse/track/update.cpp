@@ -28,14 +28,6 @@ constexpr int kSteadyMisses = 1;
 /// Distance of a detection's centre from its seen end is not bounded by the gate: search farther.
 constexpr double kLongestHalf_m = 4;
 
-/// Learned classes waver between small ones from scan to scan; only a vehicle is another thing.
-bool are_alike(ObjectClass believed, const Detection& detection) {
-  const bool vehicle = detection.object_class == ObjectClass::kVehicle;
-  const double told = detection.class_probability[static_cast<std::size_t>(ObjectClass::kOther)];
-  if (told > 0) return (believed == ObjectClass::kVehicle) == vehicle;
-  return believed == detection.object_class;
-}
-
 /// Whether the innovation may be within the gate's distance, wherever in both boxes is measured.
 bool may_be_near(const Target& target, const Detection& detection, const TrackerOptions& options) {
   if (options.measurement == MeasuredAs::kVisibleMiddle) return true;
@@ -59,8 +51,7 @@ std::optional<double> gated_cost(const Target& target, const Detection& detectio
   if (options.distance == Distance::kEuclidean) return std::sqrt(squared_distance);
   const double nis = nu.nis();
   if (!(nis < gate)) return std::nullopt;
-  const bool same_class = are_alike(user_class_of(target), detection);
-  return nis + nu.log_det() + (same_class ? 0.0 : options.class_mismatch_cost);
+  return nis + nu.log_det() + (are_alike(target, detection) ? 0.0 : options.class_mismatch_cost);
 }
 
 /// Unseen, and what is believed of its speed may be noise: a parked car must not drift away.
@@ -139,6 +130,20 @@ std::span<const associate::Candidate> gated_candidates(std::span<const Target> t
     });
   }
   return candidates;
+}
+
+bool are_alike(const Target& target, const Detection& detection) {
+  const ObjectClass believed = user_class_of(target);
+  const bool vehicle = detection.object_class == ObjectClass::kVehicle;
+  const double told = detection.class_probability[static_cast<std::size_t>(ObjectClass::kOther)];
+  if (told > 0) return (believed == ObjectClass::kVehicle) == vehicle;
+  return believed == detection.object_class;
+}
+
+std::optional<double> pair_cost(const Target& target, const Detection& detection,
+                                const TrackerOptions& options) {
+  return gated_cost(target, detection, associate::gate_in_the_plane(options.gate_probability),
+                    options);
 }
 
 double unassigned_cost(const TrackerOptions& options) {

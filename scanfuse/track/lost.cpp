@@ -1,0 +1,51 @@
+#include "scanfuse/track/lost.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "scanfuse/track/steps.hpp"
+
+namespace scanfuse::track {
+namespace {
+
+bool is_vague(const Target& target, const TrackerOptions& options) {
+  const auto& P = target.state.covariance;
+  return std::max(P(kX, kX), P(kY, kY)) > options.coast_sigma_m * options.coast_sigma_m;
+}
+
+}  // namespace
+
+void LostTargets::keep(const Target& target) {
+  if (target.status == TrackStatus::kConfirmed && target.is_trusted) {
+    targets_.push_back(target);
+  }
+}
+
+void LostTargets::advance(Time stamp, double dt_s, const TrackerOptions& options) {
+  predict(targets_, dt_s, options);
+  std::erase_if(targets_, [&](const Target& target) {
+    return to_seconds(stamp - target.seen) > options.lost_s || is_vague(target, options);
+  });
+}
+
+std::optional<Target> LostTargets::find(const Detection& detection,
+                                        const TrackerOptions& options) {
+  auto best = targets_.end();
+  double least = unassigned_cost(options);
+  for (auto target = targets_.begin(); target != targets_.end(); ++target) {
+    const auto cost = pair_cost(*target, detection, options);
+    if (!cost || *cost >= least || !are_alike(*target, detection)) continue;
+    least = *cost;
+    best = target;
+  }
+  if (best == targets_.end()) return std::nullopt;
+  std::optional<Target> found(std::move(*best));
+  targets_.erase(best);
+  found->status = TrackStatus::kTentative;
+  found->history = 0;
+  found->age_frames = 0;
+  return found;
+}
+
+}  // namespace scanfuse::track
