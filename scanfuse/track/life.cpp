@@ -135,6 +135,7 @@ void promote(Target& target, const TrackerOptions& options) {
   if (target.status == TrackStatus::kTentative &&
       hits_within(target.history, window) >= options.confirm_hits) {
     target.status = TrackStatus::kConfirmed;
+    target.is_known = true;
   }
   const double other = target.class_probability[static_cast<std::size_t>(ObjectClass::kOther)];
   const double life_s = to_seconds(target.seen - target.born);

@@ -17,9 +17,7 @@ bool is_vague(const Target& target, const TrackerOptions& options) {
 }  // namespace
 
 void LostTargets::keep(const Target& target) {
-  if (target.status == TrackStatus::kConfirmed && target.is_trusted) {
-    targets_.push_back(target);
-  }
+  if (target.is_known && target.is_trusted) targets_.push_back(target);
 }
 
 void LostTargets::advance(Time stamp, double dt_s, const TrackerOptions& options) {
@@ -41,6 +39,7 @@ std::optional<Target> LostTargets::find(const Detection& detection,
   }
   if (best == targets_.end()) return std::nullopt;
   std::optional<Target> found(std::move(*best));
+  found->is_trusted = false;
   targets_.erase(best);
   found->status = TrackStatus::kTentative;
   found->history = 0;

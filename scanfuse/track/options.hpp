@@ -65,7 +65,7 @@ struct TrackerOptions {
   int confirm_hits = 3;
   int confirm_window = 5;
   double coast_s = 1.6;
-  double coast_share = 0.35;
+  double coast_share = 0.15;
   double coast_hidden_share = 6;
   double coast_sigma_m = 2.5;
   int coast_frames = 0;
