@@ -27,8 +27,7 @@ void LostTargets::advance(Time stamp, double dt_s, const TrackerOptions& options
   });
 }
 
-std::optional<Target> LostTargets::find(const Detection& detection,
-                                        const TrackerOptions& options) {
+std::optional<Target> LostTargets::find(const Detection& detection, const TrackerOptions& options) {
   auto best = targets_.end();
   double least = unassigned_cost(options);
   for (auto target = targets_.begin(); target != targets_.end(); ++target) {

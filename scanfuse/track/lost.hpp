@@ -12,12 +12,13 @@ namespace scanfuse::track {
 /// move: what appears where one of them should be is that one again, by its old identity.
 class LostTargets {
  public:
-  /// Remembers what was confirmed; anything else is forgotten at once.
+  /// Remembers who has been confirmed and was believed to be a road user, and nothing else.
   void keep(const Target& target);
   /// Moves all on by dt_s and forgets those unseen for `lost_s`, or too vague to be told apart.
   void advance(Time stamp, double dt_s, const TrackerOptions& options);
-  /// Takes out the target that the detection fits best, tentative as one just born: what it knew of
-  /// motion, size and class stays. Nothing where none is near enough or alike.
+  /// Takes out the target that the detection fits best. It is tentative as one just born, and its
+  /// class must be trusted anew; what it knew of motion, size and class stays. Nothing where none
+  /// is near enough or alike.
   [[nodiscard]] std::optional<Target> find(const Detection& detection,
                                            const TrackerOptions& options);
   void clear() { targets_.clear(); }

@@ -33,15 +33,15 @@ constexpr double kStraight_rad_per_s = 0.02;
 constexpr double kTurning_rad_per_s = 0.3;
 
 /// What a velocity is weighed with.
-struct Moving {
+struct MotionPrior {
   double speed_m_per_s;  ///< of what moves, by axis
   /// Errors of a velocity last: what a side that comes into view does to it is not in its
-  /// covariance, which is so many times as large. What is slim has no such sides.
+  /// covariance, which is taken so many times as large. Who is slim has no such sides.
   double lasting_errors;
 };
 
-Moving moving_of(ObjectClass kind) {
-  if (kind == ObjectClass::kPedestrian) return {1, 2};
+MotionPrior motion_prior(ObjectClass kind) {
+  if (kind == ObjectClass::kPedestrian) return {1, 1};
   return {3, 4};
 }
 
@@ -175,10 +175,10 @@ void update_moving(Target& target, double dt_s, const TrackerOptions& options) {
   const auto& C = target.state.covariance;
   Eigen::Matrix2d P;
   P << C(kVx, kVx), C(kVx, kVy), C(kVy, kVx), C(kVy, kVy);
-  const Moving kind = moving_of(user_class_of(target));
-  P *= kind.lasting_errors;
+  const MotionPrior prior = motion_prior(user_class_of(target));
+  P *= prior.lasting_errors;
   const Eigen::Vector2d v = target.velocity_m_per_s();
-  const double odds = log_density(v, P, kAtRest_m_per_s) - log_density(v, P, kind.speed_m_per_s);
+  const double odds = log_density(v, P, kAtRest_m_per_s) - log_density(v, P, prior.speed_m_per_s);
   const double now = 1 / (1 + std::exp(odds));
   target.moving += (1 - std::exp(-dt_s / kMovingMemory_s)) * (now - target.moving);
   if (departs(target, dt_s)) target.moving = std::max(target.moving, kDepartedProbability);

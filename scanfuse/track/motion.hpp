@@ -31,8 +31,8 @@ struct Manoeuvre {
 
 /// Whether the velocity believed is motion or noise. Both hypotheses foresee it as a Gaussian of
 /// zero mean, with four times the covariance P of the estimate, since its errors last, and beyond
-/// it 0.1 m/s at rest, 3 m/s in motion; their posterior from even odds, smoothed over 0.4 s. With
-/// the mixture, the probability of the modes that move.
+/// it 0.1 m/s at rest, 3 m/s in motion (pedestrians: P as it is, 1 m/s); their posterior from even
+/// odds, smoothed over 0.4 s. With the mixture, the probability of the modes that move.
 void update_moving(Target& target, double dt_s, const TrackerOptions& options);
 
 /// Makes the modes of a target that has only a state: at birth, after a quarter turn.

@@ -40,7 +40,7 @@ struct Target {
   std::array<double, 5> class_weight{};    ///< sum of scores, by ObjectClass
   ClassBelief belief;                      ///< where detections tell class probabilities
   ClassProbabilities class_probability{};  ///< what came of it; all zero: class_weight decides
-  bool is_known = false;    ///< has been confirmed, if not since it was found again
+  bool is_known = false;    ///< has been confirmed, be it before it was lost and found again
   bool is_trusted = false;  ///< was surely no clutter and is not doubted since: else tentative
   Time born;
   Time seen;

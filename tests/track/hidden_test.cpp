@@ -40,10 +40,12 @@ TEST(Shadows, WithoutDetectionsThereAreNone) {
   EXPECT_EQ(shadows.hidden_share(standing_car(30, 0).box), 0);
 }
 
-/// Whether a car seen for a second keeps its identity through 0.8 s unseen, with a car between it
-/// and the sensor or not.
+/// Whether a car seen for a second is reported all the time that it is unseen, 0.8 s, with a car
+/// between it and the sensor or not; when given up it is not looked for again.
 bool keeps_identity(bool hidden) {
-  Tracker tracker;
+  TrackerOptions options;
+  options.lost_s = 0;
+  Tracker tracker(options);
   std::int64_t before = -1, after = -2;
   for (int k = 0; k < 30; ++k) {
     const bool unseen = k >= 12 && k < 22;

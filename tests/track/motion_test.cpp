@@ -145,6 +145,37 @@ TEST(Motion, ACarThatStartsIsSeenToMoveWithin800Milliseconds) {
   EXPECT_LE(late_s, 0.8);
 }
 
+// Someone who walks at 1.3 m/s and someone who stands, both placed to 0.1 m, after 1.5 s.
+TEST(Motion, AWalkerIsSeenToMoveAndWhoStandsIsNot) {
+  constexpr auto kPerson = ObjectClass::kPedestrian;
+  const simulate::Mover walker{{10, 0}, {1.3, 0}, kPerson, 0.6, 0.5};
+  const simulate::Mover standing{{10, 5}, {0, 0}, kPerson, 0.6, 0.5};
+  simulate::SceneOptions scene;
+  scene.frames = 20;
+  scene.clutter_per_frame = 0;
+  scene.sigma_m = 0.1;
+  scene.detection_probability = 1;
+  int walk = 0, walkers = 0, rest = 0, resters = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Tracker tracker;
+    const std::vector<Track>* tracks = nullptr;
+    for (const auto& f : simulate::play({walker, standing}, scene, seed)) {
+      tracks = &tracker.step(f.stamp, f.detections);
+    }
+    for (const Track& t : *tracks) {
+      if (t.status == TrackStatus::kTentative) continue;
+      const bool walks = t.box.centre_m.y() < 2.5;
+      (walks ? walkers : resters) += 1;
+      if (walks) walk += t.speed_m_per_s > 0 ? 1 : 0;
+      if (!walks) rest += t.speed_m_per_s == 0 ? 1 : 0;
+    }
+  }
+  EXPECT_GE(walkers, 18);
+  EXPECT_GE(resters, 18);
+  EXPECT_GE(walk, 0.9 * walkers);
+  EXPECT_GE(rest, 0.95 * resters);
+}
+
 class AnyMotion : public ::testing::TestWithParam<Motion> {};
 
 TEST_P(AnyMotion, TellsAParkedCarFromADrivingOne) {

@@ -56,7 +56,7 @@ TEST(Tracker, CoastsWithGrowingCovarianceThenForgets) {
     EXPECT_NEAR(tracks[0].box.centre_m.x(), 0.8 * k, 0.2 + 0.1 * coasted);
     variance = tracks[0].state.covariance(0, 0);
   }
-  EXPECT_EQ(coasted, 20);
+  EXPECT_EQ(coasted, 10) << "0.15 times 5.6 s";
 }
 
 TEST(Tracker, ATentativeTrackThatCannotBeConfirmedIsDropped) {
