@@ -100,6 +100,7 @@ PerceptionOptions road_users_literal_chain() {
   options.track.distance = track::Distance::kEuclidean;
   options.track.motion = track::Motion::kCv;
   options.track.moving_from = 0;
+  options.track.lost_s = 0;
   options.track.confirm_hits = 1;
   options.track.confirm_window = 1;
   options.track.births_inside_tracks = true;
