@@ -189,7 +189,8 @@ void merge_duplicates(std::vector<Target>& targets, Workspace& workspace) {
   for (std::size_t i = 0; i < targets.size(); ++i) {
     if (targets[i].status != TrackStatus::kConfirmed) continue;
     grid.near(targets[i].position_m(), [&](int j) {
-      // Targets stand in order of birth: a lower index is the elder.
+      // Targets stand in order of birth, found ones where they came back: a lower index is the
+      // elder.
       if (static_cast<std::size_t>(j) <= i || superfluous[i]) return;
       if (are_one(targets[i], targets[j])) superfluous[j] = 1;
     });

@@ -1,8 +1,6 @@
 #include "scanfuse/track/lost.hpp"
 
 #include <algorithm>
-#include <limits>
-#include <utility>
 
 #include "scanfuse/track/steps.hpp"
 
@@ -37,9 +35,9 @@ std::optional<Target> LostTargets::find(const Detection& detection, const Tracke
     best = target;
   }
   if (best == targets_.end()) return std::nullopt;
-  std::optional<Target> found(std::move(*best));
-  found->is_trusted = false;
+  std::optional<Target> found(*best);
   targets_.erase(best);
+  found->is_trusted = false;
   found->status = TrackStatus::kTentative;
   found->history = 0;
   found->age_frames = 0;

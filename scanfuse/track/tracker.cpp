@@ -126,7 +126,7 @@ void Tracker::give_up(Time stamp, double dt_s) {
   lost_.advance(stamp, dt_s, options_);
   std::erase_if(targets_, [&](const Target& target) {
     if (!is_over(target, stamp, options_)) return false;
-    lost_.keep(target);
+    if (options_.lost_s > 0) lost_.keep(target);
     return true;
   });
 }

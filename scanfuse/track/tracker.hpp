@@ -29,8 +29,8 @@ class Tracker {
  public:
   explicit Tracker(TrackerOptions options = {}) : options_(std::move(options)) {}
 
-  /// Folds in one scan's detections. The tracks, in order of birth, valid until the next call;
-  /// `Track::detection` is an index into `detections`.
+  /// Folds in one scan's detections. The tracks, in the order in which they were born or found
+  /// again, valid until the next call; `Track::detection` is an index into `detections`.
   const std::vector<Track>& step(Time stamp, std::span<const Detection> detections);
 
   [[nodiscard]] const TrackerOptions& options() const { return options_; }
