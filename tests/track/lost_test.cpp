@@ -8,9 +8,9 @@
 namespace scanfuse::track {
 namespace {
 
-constexpr double kScan_s = 0.08;
+constexpr double kScanStep_s = 0.08;
 
-Detection car_at(double x, double y) {
+Detection passing_car(double x, double y) {
   return testing::box_detection({x, y}, 0, testing::Mover{{x, y}, {8, 0}}, 0.05);
 }
 
@@ -23,21 +23,21 @@ struct Reappearance {
 };
 
 /// Its tracks in the last scan before it went, in the last unseen one, in each after it came back.
-struct Seen {
+struct SeenAgain {
   std::vector<Track> before, gone;
   std::vector<std::vector<Track>> after;
 };
 
-Seen play(const Reappearance& scene) {
+SeenAgain play_reappearance(const Reappearance& scene) {
   constexpr int kSeen = 25, kAgain = 6;
   Tracker tracker(scene.options);
-  Seen seen;
+  SeenAgain seen;
   for (int k = 0; k < kSeen + scene.unseen + kAgain; ++k) {
-    const double x = 8 * kScan_s * k;
+    const double x = 8 * kScanStep_s * k;
     std::vector<Detection> detections;
-    if (k < kSeen) detections.push_back(car_at(x, 0));
-    if (k >= kSeen + scene.unseen) detections.push_back(car_at(x, scene.aside_m));
-    const auto tracks = tracker.step(time_from_seconds(kScan_s * k), detections);
+    if (k < kSeen) detections.push_back(passing_car(x, 0));
+    if (k >= kSeen + scene.unseen) detections.push_back(passing_car(x, scene.aside_m));
+    const auto tracks = tracker.step(time_from_seconds(kScanStep_s * k), detections);
     if (k == kSeen - 1) seen.before = tracks;
     if (k == kSeen + scene.unseen - 1) seen.gone = tracks;
     if (k >= kSeen + scene.unseen) seen.after.push_back(tracks);
@@ -46,7 +46,7 @@ Seen play(const Reappearance& scene) {
 }
 
 TEST(LostTargets, WhatComesBackWhereItShouldBeIsTheSameAgain) {
-  const Seen seen = play({});
+  const SeenAgain seen = play_reappearance({});
   ASSERT_EQ(seen.before.size(), 1U);
   EXPECT_TRUE(seen.gone.empty()) << "in the open it is not reported for 1.2 s";
   ASSERT_EQ(seen.after.front().size(), 1U);
@@ -59,7 +59,7 @@ TEST(LostTargets, WhatComesBackWhereItShouldBeIsTheSameAgain) {
 TEST(LostTargets, WhatAppearsElsewhereIsAnother) {
   Reappearance scene;
   scene.aside_m = 6;
-  const Seen seen = play(scene);
+  const SeenAgain seen = play_reappearance(scene);
   ASSERT_EQ(seen.after.back().size(), 1U);
   EXPECT_NE(seen.after.back()[0].id, seen.before[0].id);
 }
@@ -67,19 +67,19 @@ TEST(LostTargets, WhatAppearsElsewhereIsAnother) {
 TEST(LostTargets, AreForgottenAfterTheTimeOfTheOption) {
   Reappearance scene;
   scene.options.lost_s = 1.0;
-  EXPECT_NE(play(scene).after.back()[0].id, 1);
+  EXPECT_NE(play_reappearance(scene).after.back()[0].id, 1);
   scene.options.lost_s = 2.0;
-  EXPECT_EQ(play(scene).after.back()[0].id, 1);
+  EXPECT_EQ(play_reappearance(scene).after.back()[0].id, 1);
 }
 
 TEST(LostTargets, AnotherClassIsAnotherObject) {
   Tracker tracker;
   const testing::Mover person{{10, 0}, {0, 0}, ObjectClass::kPedestrian, 0.6, 0.5};
   for (int k = 0; k < 20; ++k) {
-    tracker.step(time_from_seconds(kScan_s * k), std::vector{car_at(10, 0)});
+    tracker.step(time_from_seconds(kScanStep_s * k), std::vector{passing_car(10, 0)});
   }
-  for (int k = 20; k < 40; ++k) tracker.step(time_from_seconds(kScan_s * k), {});
-  const auto& tracks = tracker.step(time_from_seconds(kScan_s * 40),
+  for (int k = 20; k < 40; ++k) tracker.step(time_from_seconds(kScanStep_s * k), {});
+  const auto& tracks = tracker.step(time_from_seconds(kScanStep_s * 40),
                                     std::vector{testing::box_detection({10, 0}, 0, person, 0.05)});
   ASSERT_EQ(tracks.size(), 1U);
   EXPECT_EQ(tracks[0].id, 2);
@@ -88,8 +88,8 @@ TEST(LostTargets, AnotherClassIsAnotherObject) {
 TEST(LostTargets, WhatWasNeverConfirmedIsNotRemembered) {
   LostTargets lost;
   TrackerOptions options;
-  const Detection car = car_at(10, 0);
-  Target target = birth(car, 0, 1, time_from_seconds(0), kScan_s, options);
+  const Detection car = passing_car(10, 0);
+  Target target = birth(car, 0, 1, time_from_seconds(0), kScanStep_s, options);
   lost.keep(target);
   EXPECT_FALSE(lost.find(car, options).has_value());
   target.is_known = true;
@@ -103,9 +103,9 @@ TEST(LostTargets, WhatWasNeverConfirmedIsNotRemembered) {
 TEST(LostTargets, AreDroppedWhenTheClockJumps) {
   Tracker tracker;
   for (int k = 0; k < 20; ++k)
-    tracker.step(time_from_seconds(kScan_s * k), std::vector{car_at(10, 0)});
-  for (int k = 20; k < 30; ++k) tracker.step(time_from_seconds(kScan_s * k), {});
-  const auto& tracks = tracker.step(time_from_seconds(100), std::vector{car_at(10, 0)});
+    tracker.step(time_from_seconds(kScanStep_s * k), std::vector{passing_car(10, 0)});
+  for (int k = 20; k < 30; ++k) tracker.step(time_from_seconds(kScanStep_s * k), {});
+  const auto& tracks = tracker.step(time_from_seconds(100), std::vector{passing_car(10, 0)});
   ASSERT_EQ(tracks.size(), 1U);
   EXPECT_EQ(tracks[0].id, 2);
 }
