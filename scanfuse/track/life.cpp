@@ -156,6 +156,11 @@ bool is_part_of(const Detection& detection, std::span<const Target> targets) {
   });
 }
 
+bool is_vague(const Target& target, const TrackerOptions& options) {
+  const auto& P = target.state.covariance;
+  return std::max(P(kX, kX), P(kY, kY)) > options.coast_sigma_m * options.coast_sigma_m;
+}
+
 bool is_over(const Target& target, Time stamp, const TrackerOptions& options) {
   if (target.missed_frames == 0) return false;
   if (options.coast_frames > 0) return target.missed_frames > options.coast_frames;
@@ -167,15 +172,13 @@ bool is_over(const Target& target, Time stamp, const TrackerOptions& options) {
   }
   const double unseen_s = to_seconds(stamp - target.seen);
   const double seen_s = to_seconds(target.seen - target.born);
-  const double worst = std::max(target.state.covariance(kX, kX), target.state.covariance(kY, kY));
   const auto earned_s = [&](double share) { return std::max(kLeastCoast_s, share * seen_s); };
   const double hidden_share = target.is_steady
                                   ? std::max(options.coast_share, options.coast_hidden_share)
                                   : options.coast_share;
   const double open_s = unseen_s - target.hidden_s;
   return unseen_s > std::min(options.coast_s, earned_s(hidden_share)) + kStampRounding_s ||
-         open_s > earned_s(options.coast_share) + kStampRounding_s ||
-         worst > options.coast_sigma_m * options.coast_sigma_m;
+         open_s > earned_s(options.coast_share) + kStampRounding_s || is_vague(target, options);
 }
 
 void merge_duplicates(std::vector<Target>& targets, Workspace& workspace) {

@@ -1,18 +1,10 @@
 #include "scanfuse/track/lost.hpp"
 
-#include <algorithm>
+#include <vector>
 
 #include "scanfuse/track/steps.hpp"
 
 namespace scanfuse::track {
-namespace {
-
-bool is_vague(const Target& target, const TrackerOptions& options) {
-  const auto& P = target.state.covariance;
-  return std::max(P(kX, kX), P(kY, kY)) > options.coast_sigma_m * options.coast_sigma_m;
-}
-
-}  // namespace
 
 void LostTargets::keep(const Target& target) {
   if (target.is_known && target.is_trusted) targets_.push_back(target);

@@ -79,6 +79,9 @@ void reseat(Target& target, const Detection& detection, const TrackerOptions& op
 /// Whether a detection belongs to a confirmed target that already took another one: a part of it.
 [[nodiscard]] bool is_part_of(const Detection& detection, std::span<const Target> targets);
 
+/// Whether its place is known no better than `coast_sigma_m`.
+[[nodiscard]] bool is_vague(const Target& target, const TrackerOptions& options);
+
 /// Whether a target is given up: tentative and no longer able to be confirmed, or unseen too long.
 /// A confirmed target earns its time unseen by having been seen; time hidden is free.
 [[nodiscard]] bool is_over(const Target& target, Time stamp, const TrackerOptions& options);
