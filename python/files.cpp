@@ -16,9 +16,10 @@ class Recording {
  public:
   Recording(const std::filesystem::path& path, std::vector<std::string> topics,
             std::string ego_topic, const std::optional<std::filesystem::path>& ego,
-            const std::optional<Eigen::Matrix4d>& mount, bool paper_axes) {
+            const std::optional<Eigen::Matrix4d>& mount, bool paper_axes, bool standing) {
     pipeline::FeedOptions feed;
     feed.ego_topic = std::move(ego_topic);
+    feed.may_move = !standing;
     if (mount) feed.mount = pose_of(*mount);
     if (ego) feed.ego = value_or_throw(io::read_ego(*ego));
     feed_.emplace(value_or_throw(io::open_recording(path, {std::move(topics), paper_axes})),
@@ -54,11 +55,12 @@ void bind_recording(py::module_& module) {
                         "PosedScan; never loaded whole.")
       .def(py::init<const std::filesystem::path&, std::vector<std::string>, std::string,
                     const std::optional<std::filesystem::path>&,
-                    const std::optional<Eigen::Matrix4d>&, bool>(),
+                    const std::optional<Eigen::Matrix4d>&, bool, bool>(),
            py::arg("path"), py::kw_only(), py::arg("topics") = std::vector<std::string>{},
            py::arg("ego_topic") = "", py::arg("ego") = py::none(), py::arg("mount") = py::none(),
-           py::arg("paper_axes") = false,
-           "`mount`: ego_from_sensor, 4 x 4; `ego`: a CSV of poses beside the recording.")
+           py::arg("paper_axes") = false, py::arg("standing") = false,
+           "`mount`: ego_from_sensor, 4 x 4; `ego`: a CSV of poses beside the recording; "
+           "`standing`: look for no ego motion in the scans where nothing tells it.")
       .def("__iter__", [](const py::object& self) { return self; })
       .def("__next__",
            [](Recording& recording) {

@@ -118,6 +118,8 @@ void add_live_options(CLI::App& app, LiveRequest& request) {
   app.add_option("--mount", request.mounts,
                  "Sensor in the ego frame: X_M,Y_M,YAW_RAD; one for each sensor, in their order")
       ->allow_extra_args(false);
+  app.add_flag("--standing", request.standing,
+               "The sensors stand: look for no ego motion in the scans where nothing tells it");
   app.add_option("--seconds", request.seconds, "Stop after so long; 0: at Ctrl-C")
       ->check(CLI::Range(0.0, 1e7))
       ->capture_default_str();
@@ -130,6 +132,7 @@ void add_live_options(CLI::App& app, LiveRequest& request) {
 Result<LiveInput> open_live(const LiveRequest& request) {
   if (auto fits = check_request(request); !fits) return tl::unexpected(fits.error());
   LiveInput input;
+  input.feed.may_move = !request.standing;
   if (request.ros2) {
     auto bus = drivers::Ros2Bus::join();
     if (!bus) return tl::unexpected(bus.error());

@@ -20,6 +20,7 @@ struct LiveRequest {
   std::string ego_topic;             ///< of ROS 2; empty: from tf
   [[nodiscard]] bool empty() const { return sensors.empty() && topics.empty(); }
   std::vector<std::string> mounts;  ///< "X_M,Y_M,YAW_RAD", one a sensor in their order
+  bool standing = false;            ///< nothing tells the ego's motion since there is none
   double seconds = 0;               ///< stops after so long; 0: at Ctrl-C
   int waiting = 2;                  ///< scans of one sensor that may wait
 };

@@ -92,6 +92,8 @@ void add_track(Tool& tool) {
   app->add_option("--ego-topic", request->ego_topic,
                   "Topic of the ego pose: Odometry, PoseStamped, PoseWithCovarianceStamped");
   app->add_option("--ego", request->ego_file, "Ego motion beside the recording, as CSV");
+  app->add_flag("--standing", request->standing,
+                "The sensor stands: look for no ego motion in the scans where nothing tells it");
   app->add_option("--mount", request->mount, "Sensor in the ego frame: X_M,Y_M,YAW_RAD")
       ->delimiter(',')
       ->expected(3);

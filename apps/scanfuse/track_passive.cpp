@@ -47,11 +47,15 @@ Result<void> change_setting(PassiveSettings& settings, std::string_view text) {
 }
 
 Result<PassiveSettings> settings_of(const TrackRequest& request) {
-  const std::pair<const char*, bool> others[] = {
-      {"--detections", !request.detections.empty()}, {"--config", !request.config.empty()},
-      {"--topic", !request.topics.empty()},          {"--ego", !request.ego_file.empty()},
-      {"--ego-topic", !request.ego_topic.empty()},   {"--mount", !request.mount.empty()},
-      {"--calib", !request.calibration.empty()},     {"--frame", !request.frame.empty()}};
+  const std::pair<const char*, bool> others[] = {{"--detections", !request.detections.empty()},
+                                                 {"--config", !request.config.empty()},
+                                                 {"--topic", !request.topics.empty()},
+                                                 {"--ego", !request.ego_file.empty()},
+                                                 {"--ego-topic", !request.ego_topic.empty()},
+                                                 {"--mount", !request.mount.empty()},
+                                                 {"--standing", request.standing},
+                                                 {"--calib", !request.calibration.empty()},
+                                                 {"--frame", !request.frame.empty()}};
   for (const auto& [name, given] : others) {
     if (given) {
       return fail(Error::Code::kUnsupported, "{}: not for bearings; without --sensors only", name);

@@ -46,6 +46,7 @@ class Tally {
 Result<pipeline::FeedOptions> feed_options(const TrackRequest& request) {
   pipeline::FeedOptions options;
   options.ego_topic = request.ego_topic;
+  options.may_move = !request.standing;
   if (!request.mount.empty()) {
     options.mount = Pose3::from_planar({request.mount[0], request.mount[1], request.mount[2]});
   }

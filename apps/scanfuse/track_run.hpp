@@ -27,6 +27,7 @@ struct TrackRequest {
   std::string frame;
   std::vector<std::string> topics;
   std::string sensor;  ///< device that speaks in a capture; empty: its ports tell
+  bool standing = false;
   std::string ego_topic;
   std::string ego_file;
   std::vector<double> mount;  ///< x, y, yaw

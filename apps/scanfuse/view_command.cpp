@@ -125,6 +125,8 @@ void add_view(Tool& tool) {
   app->add_option("--ego-topic", request->track.ego_topic,
                   "Topic of the ego pose: Odometry, PoseStamped, PoseWithCovarianceStamped");
   app->add_option("--ego", request->track.ego_file, "Ego motion beside the recording, as CSV");
+  app->add_flag("--standing", request->track.standing,
+                "The sensor stands: look for no ego motion in the scans where nothing tells it");
   app->add_option("--mount", request->track.mount, "Sensor in the ego frame: X_M,Y_M,YAW_RAD")
       ->delimiter(',')
       ->expected(3);
@@ -168,6 +170,7 @@ void add_view(Tool& tool) {
   app->callback([&tool, app, input, request] {
     check_inputs(*app, input->count() > 0);
     take_topics(request->live);
+    request->live.standing = request->track.standing;
     request->server.next_free_port = app->count("--port") == 0;
     request->has_preset = app->count("--preset") > 0;
     *tool.exit_code = run_view(*request, *tool.common);

@@ -5,8 +5,7 @@
 namespace scanfuse::pipeline {
 namespace {
 
-constexpr Duration kLongest = std::chrono::milliseconds(500);
-constexpr int kMessages = 5;
+constexpr int kTimesLonger = 3;
 constexpr double kBrake_m_per_s2 = 8;
 
 bool is_same(const Pose3& a, const Pose3& b) {
@@ -20,7 +19,8 @@ void FrozenPoses::add(Time stamp, const Pose3& pose) {
   if (stamp < run_->to) return;
   run_->to = stamp;
   ++messages_;
-  if (!stopped_dead_ || messages_ < kMessages || run_->to - run_->from < kLongest) return;
+  const Duration least = std::max(least_, kTimesLonger * longest_);
+  if (!stopped_dead_ || messages_ < least_messages_ || run_->to - run_->from < least) return;
   if (!listed_) spans_.push_back(*run_);
   spans_.back().to = stamp;
   listed_ = true;
@@ -30,6 +30,7 @@ void FrozenPoses::start_run(Time stamp, const Pose3& pose) {
   if (run_ && stamp <= run_->to) return;
   const double dt = run_ ? to_seconds(stamp - run_->to) : 0;
   const double way_m = (pose.translation_m - pose_.translation_m).norm();
+  if (run_ && stopped_dead_) longest_ = std::max(longest_, run_->to - run_->from);
   stopped_dead_ = run_ && way_m / dt > kBrake_m_per_s2 * dt;
   run_ = Span{stamp, stamp};
   pose_ = pose;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <string>
+#include <string_view>
 
 namespace scanfuse::pipeline {
 namespace {
@@ -35,8 +36,7 @@ Perception::Perception(const PerceptionOptions& options)
       flatten_(options.preprocess),
       segment_(options.segment),
       outline_(options.shape),
-      recognize_(options.classify),
-      tracker_(options.track) {}
+      recognize_(options.classify) {}
 
 void Perception::give_in_scene(const PosedScan& posed) {
   const double scale = options_.pipeline.scale;
@@ -58,13 +58,27 @@ PosedScan Perception::left_empty(const PosedScan& posed) {
   nothing.scan.stamp = posed.scan.stamp;
   nothing.scan.frame = posed.scan.frame;
   nothing.scan.sensor = posed.scan.sensor;
+  nothing.scan.frame_id = posed.scan.frame_id;
+  nothing.mount_is_known = posed.mount_is_known;
   return nothing;
 }
 
 Diagnostics Perception::diagnostics() const {
   Diagnostics all = diagnostics_;
-  all.merge(tracker_.diagnostics());
+  for (const auto& [frame, tracker] : trackers_) all.merge(tracker.diagnostics());
   return all;
+}
+
+track::Tracker& Perception::tracker_of(const PosedScan& posed) {
+  constexpr std::string_view kEgo;
+  const std::string_view frame = posed.mount_is_known ? kEgo : posed.scan.frame_id;
+  const auto known = trackers_.find(frame);
+  if (known != trackers_.end()) return known->second;
+  if (!trackers_.empty()) {
+    diagnostics_.note("sensor tracked for itself: where it is on the ego is not known",
+                      std::string(frame));
+  }
+  return trackers_.try_emplace(std::string(frame), options_.track, track_ids_).first->second;
 }
 
 void Perception::straighten(const PosedScan& posed) {
@@ -80,7 +94,7 @@ void Perception::straighten(const PosedScan& posed) {
 }
 
 void Perception::expect(const PosedScan& posed) {
-  tracker_.expect(posed.scan.stamp, expected_);
+  tracker_of(posed).expect(posed.scan.stamp, expected_);
   const Pose2 level_from_world = world_from_level(posed).inverse();
   for (Expected& object : expected_) {
     object.box.centre_m = level_from_world * object.box.centre_m;

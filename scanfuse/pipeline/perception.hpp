@@ -2,7 +2,11 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
 #include <span>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -66,7 +70,8 @@ constexpr auto choices(Stage) {
 
 /// The whole chain: one scan in, detections and tracks out. Every arrow of docs/architecture.md is
 /// one line of `step`. Keeps its buffers: once they have grown, a step allocates nothing
-/// (tests/allocation). One object per stream and thread.
+/// (tests/allocation). One object per stream and thread. A sensor in a frame whose place on the ego
+/// is not known is tracked for itself: what others see cannot be brought into it.
 class Perception {
  public:
   explicit Perception(const PerceptionOptions& options = {});
@@ -100,6 +105,7 @@ class Perception {
   void straighten(const PosedScan& posed);
   /// Asks the tracker where vehicles will be, in the levelled sensor frame.
   void expect(const PosedScan& posed);
+  track::Tracker& tracker_of(const PosedScan& posed);
   void give_in_world(const PosedScan& posed, std::span<const Detection> detections);
   void give_in_ego();
 
@@ -110,7 +116,8 @@ class Perception {
   segment::Segmenter segment_;
   shape::OutlineExtractor outline_;
   classify::Recognizer recognize_;
-  track::Tracker tracker_;
+  std::map<std::string, track::Tracker, std::less<>> trackers_;  ///< by frame; "": the ego's
+  std::shared_ptr<std::int64_t> track_ids_ = std::make_shared<std::int64_t>(0);
   StepResult result_;
   VirtualScan virtual_scan_;
   std::vector<Expected> expected_;
@@ -146,7 +153,7 @@ void Perception::run(const PosedScan& posed, After& after) {
   const auto detections = recognize_(outlines_);
   after(Stage::kClassify);
   give_in_world(posed, detections);
-  result_.tracks = tracker_.step(posed.scan.stamp, result_.detections);
+  result_.tracks = tracker_of(posed).step(posed.scan.stamp, result_.detections);
   if (options_.pipeline.frame == OutputFrame::kEgo) give_in_ego();
   after(Stage::kTrack);
 }

@@ -70,7 +70,10 @@ void Ros2Results::write(const StepResult& step, const PosedScan& posed) {
     write_mount(posed);
     write_scan(posed);
   }
-  const auto edges = io::ros::track_transforms(named);
+  auto edges = io::ros::track_transforms(named);
+  if (posed.ego_from_scans) {
+    edges.push_back({step.stamp, posed.world_frame, posed.ego_frame, posed.world_from_ego, false});
+  }
   if (!edges.empty() && bus_->matched(tf_) > 0) send(tf_, io::ros::encode_cdr(std::span(edges)));
   if (bus_->matched(tracks_) > 0) send(tracks_, io::ros::encode_detections(named));
   if (bus_->matched(markers_) > 0) send(markers_, io::ros::encode_markers(named));

@@ -22,7 +22,8 @@ struct Ros2ResultsOptions {
 
 /// Publishes tracks on ROS 2's bus: "/NAME/tracks" (vision_msgs/msg/Detection3DArray),
 /// "/NAME/markers" (visualization_msgs/msg/MarkerArray) and "/tf" (frames "track_ID"). All reliable
-/// and volatile, in the frame that the tracks stand in, by the name that ROS gives it.
+/// and volatile, in the frame that the tracks stand in, by the name that ROS gives it; where the
+/// ego's motion comes from the scans, "/tf" tells it too ("odom" to the ego's frame).
 class Ros2Results {
  public:
   [[nodiscard]] static Result<Ros2Results> open(std::shared_ptr<drivers::Ros2Bus> bus,

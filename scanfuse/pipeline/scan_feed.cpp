@@ -10,8 +10,12 @@ namespace {
 constexpr Duration kLongestWait = std::chrono::seconds(1);
 constexpr std::size_t kMostWaiting = 256;
 constexpr Duration kMemory = std::chrono::seconds(10);
+/// The motion that a freeze cut off is that around this before it.
+constexpr Duration kBeforeFreeze = std::chrono::milliseconds(60);
 
-bool is_odometry(const std::string& type) { return type.ends_with("Odometry"); }
+bool is_odometry(const std::string& type) {
+  return type.ends_with("Odometry") || type == "carmen pose";
+}
 
 std::string first_known(const std::vector<std::string>& ancestry,
                         std::initializer_list<const char*> wanted) {
@@ -146,9 +150,10 @@ PosedScan ScanFeed::pose(Scan scan) {
   last_stamp_[scan.sensor] = scan.stamp;
   PosedScan posed;
   posed.scan = std::move(scan);
+  posed.mount_is_known = options_.mount || reader_->info().format == "csv points";
+  if (options_.mount) posed.ego_from_sensor = *options_.mount;
   place(posed);
   name_frames(posed);
-  if (options_.mount) posed.ego_from_sensor = *options_.mount;
   const Time stamp = posed.scan.stamp;
   if (options_.ego.empty()) ego_.forget_before(stamp - kMemory);
   tree_.forget_before(stamp - kMemory);
@@ -157,29 +162,57 @@ PosedScan ScanFeed::pose(Scan scan) {
 
 void ScanFeed::place(PosedScan& posed) {
   if (uses_tf() && place_by_tf(posed)) return;
-  if (ego_.empty()) return;
+  if (ego_.empty()) return place_by_scans(posed);
+  if (place_while_frozen(posed)) return;
   const auto found = ego_.at(posed.scan.stamp);
   if (found->extrapolated) {
     diagnostics_.note("ego pose extrapolated", fmt::format("scan {}", posed.scan.frame));
   }
-  note_frozen(posed.scan.stamp, posed.scan.frame);
   posed.world_from_ego = found->pose;
   posed.twist = ego_.twist_at(posed.scan.stamp);
 }
 
-void ScanFeed::note_frozen(Time stamp, std::int64_t frame) {
+void ScanFeed::place_by_scans(PosedScan& posed) {
+  if (!options_.may_move) return;
+  const auto placed = scan_ego_(posed.scan, posed.ego_from_sensor, posed.mount_is_known);
+  if (!placed) return;
+  diagnostics_.note("ego motion taken from the scans, since nothing tells it",
+                    fmt::format("{} scan {}", posed.scan.sensor, posed.scan.frame));
+  posed.world_from_ego = placed->world_from_ego;
+  posed.twist = placed->twist;
+  posed.ego_from_scans = true;
+  posed.world_frame = "odom";
+}
+
+bool ScanFeed::place_while_frozen(PosedScan& posed) {
+  const Time stamp = posed.scan.stamp;
   const auto since = frozen_.frozen_since(stamp);
-  if (!since) return;
-  diagnostics_.note("scan at a frozen ego pose",
-                    fmt::format("scan {}, the same since {} s", frame, io::print_seconds(*since)));
+  if (!since) {
+    scan_ego_.forget();
+    return false;
+  }
+  diagnostics_.note(
+      "scan at a frozen ego pose",
+      fmt::format("scan {}, the same since {} s", posed.scan.frame, io::print_seconds(*since)));
+  if (!options_.may_move) return false;
+  const auto twist = ego_.twist_at(*since - kBeforeFreeze);
+  const double dt_s = to_seconds(stamp - *since);
+  const Pose2 way{dt_s * twist.speed_m_per_s, dt_s * twist.lateral_m_per_s,
+                  dt_s * twist.yaw_rate_rad_per_s};
+  const auto placed = scan_ego_.go_on(posed.scan, posed.ego_from_sensor,
+                                      {ego_.at(*since)->pose * Pose3::from_planar(way), twist});
+  if (!placed) return false;
+  posed.world_from_ego = placed->world_from_ego;
+  posed.twist = placed->twist;
+  return true;
 }
 
 bool ScanFeed::place_by_tf(PosedScan& posed) {
   const Time stamp = posed.scan.stamp;
   const Frames frames = frames_of(posed.scan.frame_id);
-  if (const auto mount = tree_.lookup(frames.ego, posed.scan.frame_id, stamp)) {
-    posed.ego_from_sensor = mount->pose;
-  }
+  const auto mount = tree_.lookup(frames.ego, posed.scan.frame_id, stamp);
+  if (mount && !options_.mount) posed.ego_from_sensor = mount->pose;
+  posed.mount_is_known = posed.mount_is_known || mount;
   if (frames.world.empty()) return false;
   const auto ego = tree_.lookup(frames.world, frames.ego, stamp);
   if (!ego) return false;

@@ -12,6 +12,7 @@
 #include "scanfuse/pipeline/frame_tree.hpp"
 #include "scanfuse/pipeline/frozen_poses.hpp"
 #include "scanfuse/pipeline/pose_buffer.hpp"
+#include "scanfuse/pipeline/scan_ego.hpp"
 
 namespace scanfuse::pipeline {
 
@@ -19,6 +20,7 @@ struct FeedOptions {
   std::string ego_topic;        ///< Odometry, PoseStamped, PoseWithCovarianceStamped; empty: found
   std::optional<Pose3> mount;   ///< ego_from_sensor; empty: from tf, else the identity
   std::vector<PoseSample> ego;  ///< from a file beside the recording; wins over topics and tf
+  bool may_move = true;         ///< look for the ego's motion in the scans where nothing tells it
 };
 
 /// A scan with everything known about where it was taken.
@@ -27,6 +29,8 @@ struct PosedScan {
   Pose3 world_from_ego;
   Pose3 ego_from_sensor;
   PoseBuffer::Twist twist;  ///< of the ego at the scan's stamp
+  bool mount_is_known = true;
+  bool ego_from_scans = false;  ///< nobody tells where the ego is: found by matching scans
   std::string world_frame;  ///< what the recording calls the frames ("odom", "base_link"); where
   std::string ego_frame;    ///< nothing is known of the ego's motion, both are the ego's
 };
@@ -35,7 +39,9 @@ struct PosedScan {
 /// come so. A scan waits until the ego motion around its stamp has been read; memory stays bounded.
 ///
 /// The ego pose is taken, in this order, from: the file given, the topic given, tf (odom or map to
-/// base_link), the recording's only or best named Odometry topic, else the identity.
+/// base_link), the recording's only or best named Odometry topic, else, where the scene says that
+/// the sensor moves, from the scans themselves (`ScanEgo`), as while it is frozen; else the
+/// identity.
 class ScanFeed {
  public:
   ScanFeed(std::unique_ptr<io::RecordingReader> reader, FeedOptions options);
@@ -71,7 +77,8 @@ class ScanFeed {
   /// False when tf knows the mounting only, not where the ego is.
   bool place_by_tf(PosedScan& posed);
   void name_frames(PosedScan& posed) const;
-  void note_frozen(Time stamp, std::int64_t frame);
+  void place_by_scans(PosedScan& posed);
+  bool place_while_frozen(PosedScan& posed);
   void choose_ego_topic();
 
   std::unique_ptr<io::RecordingReader> reader_;
@@ -79,7 +86,8 @@ class ScanFeed {
   Diagnostics diagnostics_;
   FrameTree tree_;
   PoseBuffer ego_;
-  FrozenPoses frozen_;
+  FrozenPoses frozen_{Duration{0}, 3};
+  ScanEgo scan_ego_;
   std::string ego_topic_;
   Frames ego_names_;  ///< as the ego topic has them
   bool recording_has_tf_ = false;

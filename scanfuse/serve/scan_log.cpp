@@ -71,7 +71,9 @@ std::string pack(const pipeline::PosedScan& posed) {
   put_pose(out, posed.world_from_ego);
   put_pose(out, posed.ego_from_sensor);
   out.put(posed.twist.speed_m_per_s).put(posed.twist.lateral_m_per_s);
-  out.put(posed.twist.yaw_rate_rad_per_s).u32(scan.returns.size());
+  out.put(posed.twist.yaw_rate_rad_per_s);
+  out.put<std::uint8_t>(posed.mount_is_known ? 1 : 0);
+  out.u32(scan.returns.size());
   std::string bytes = out.take();
   const std::size_t head = bytes.size();
   bytes.resize(head + sizeof(Return) * scan.returns.size());
@@ -95,6 +97,7 @@ Result<pipeline::PosedScan> unpack_scan(std::string_view bytes) {
   posed.twist.speed_m_per_s = in.get<double>();
   posed.twist.lateral_m_per_s = in.get<double>();
   posed.twist.yaw_rate_rad_per_s = in.get<double>();
+  posed.mount_is_known = in.get<std::uint8_t>() != 0;
   const std::size_t count = in.get<std::uint32_t>();
   const auto raw = in.take(count * sizeof(Return));
   if (!in.ok()) return fail(Error::Code::kMalformed, "a scan that was put aside is cut off");

@@ -141,7 +141,7 @@ void Tracker::give_birth(Time stamp, double dt_s, std::span<const int> track_of_
       update(*known, usable_[d], source_[d], stamp, dt_s, options_);
       targets_.push_back(std::move(*known));
     } else {
-      targets_.push_back(birth(usable_[d], source_[d], next_id_++, stamp, dt_s, options_));
+      targets_.push_back(birth(usable_[d], source_[d], ++*ids_, stamp, dt_s, options_));
     }
   }
 }

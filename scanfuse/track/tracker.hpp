@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -27,7 +28,10 @@ namespace scanfuse::track {
 /// - a detection with a number that is not finite, or absurdly large: left out.
 class Tracker {
  public:
-  explicit Tracker(TrackerOptions options = {}) : options_(std::move(options)) {}
+  /// Trackers that share `ids` never give two tracks one identity.
+  explicit Tracker(TrackerOptions options = {},
+                   std::shared_ptr<std::int64_t> ids = std::make_shared<std::int64_t>(0))
+      : options_(std::move(options)), ids_(std::move(ids)) {}
 
   /// Folds in one scan's detections. The tracks, in the order in which they were born or found
   /// again, valid until the next call; `Track::detection` is an index into `detections`.
@@ -61,7 +65,7 @@ class Tracker {
   std::vector<int> source_;  ///< place of each usable detection in the caller's span
   std::vector<Track> tracks_;
   std::optional<Time> last_;
-  std::int64_t next_id_ = 1;
+  std::shared_ptr<std::int64_t> ids_;  ///< the last one given
 };
 
 }  // namespace scanfuse::track

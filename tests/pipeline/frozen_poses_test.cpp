@@ -45,5 +45,14 @@ TEST(FrozenPoses, AShortHitchIsNotAndItEndsWhereItMovesOn) {
   EXPECT_FALSE(poses.frozen_since(at(6.5)));
 }
 
+TEST(FrozenPoses, APoseToldOftenerThanItIsMadeIsFrozenOnlyWhenItStaysFarLonger) {
+  FrozenPoses poses(Duration{0}, 3);
+  // Made at 10 Hz, told at 50 Hz; stuck from 4 s on.
+  for (int k = 0; k < 300; ++k) poses.add(at(0.02 * k), pose_at(0.2 * std::min(k / 5, 40)));
+  EXPECT_FALSE(poses.frozen_since(at(3.93)));
+  EXPECT_FALSE(poses.frozen_since(at(4)));
+  EXPECT_TRUE(poses.frozen_since(at(5)));
+}
+
 }  // namespace
 }  // namespace scanfuse::pipeline

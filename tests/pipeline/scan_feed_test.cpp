@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pipeline/list_reader.hpp"
+#include "preprocess/room_scene.hpp"
 
 namespace scanfuse::pipeline {
 namespace {
@@ -197,6 +198,101 @@ TEST(ScanFeed, NotesScansAtAFrozenPoseAndChangesNothingElse) {
   EXPECT_LE(entry.count, 19);
   EXPECT_NE(entry.first.find("the same since 1002.0"), std::string::npos) << entry.first;
   EXPECT_FALSE(entry.damage);
+}
+
+io::Event room_event(double seconds, const Pose2& world_from_sensor, RandomStream& random,
+                     const std::string& name = "/scan") {
+  const VirtualScan seen = preprocess::look(preprocess::room(), world_from_sensor, seconds, random);
+  auto event = scan_event(seconds, name + "_frame");
+  auto& scan = std::get<Scan>(event.payload);
+  event.topic = scan.sensor = name;
+  for (const PlanarPoint& p : seen.points) scan.returns.push_back({p.x_m, p.y_m});
+  return event;
+}
+
+Pose2 on_a_circle(double seconds) {
+  Pose2 pose;
+  for (int k = 0; k < 1000; ++k) pose = pose * Pose2{5e-4 * seconds, 0, 3e-4 * seconds};
+  return pose;
+}
+
+TEST(ScanFeed, ARobotThatTellsNoPoseIsFollowedByItsScans) {
+  RandomStream random(3);
+  std::vector<io::Event> events;
+  for (int k = 0; k < 60; ++k) events.push_back(room_event(0.1 * k, on_a_circle(0.1 * k), random));
+  ScanFeed feed(std::make_unique<ListReader>(events), {});
+  const auto scans = drain(feed);
+  ASSERT_EQ(scans.size(), 60U);
+  EXPECT_FALSE(scans[0].ego_from_scans);
+  EXPECT_TRUE(scans[59].ego_from_scans);
+  EXPECT_EQ(scans[59].world_frame, "odom");
+  EXPECT_EQ(scans[59].ego_frame, "/scan_frame");
+  const Pose2 truth = on_a_circle(5.9), found = scans[59].world_from_ego.planar();
+  EXPECT_NEAR(found.x_m, truth.x_m, 0.06);
+  EXPECT_NEAR(found.y_m, truth.y_m, 0.06);
+  EXPECT_NEAR(scans[59].twist.speed_m_per_s, 0.5, 0.15);
+  EXPECT_GT(feed.diagnostics().count("ego motion taken from the scans, since nothing tells it"),
+            40);
+
+  FeedOptions standing;
+  standing.may_move = false;
+  ScanFeed told(std::make_unique<ListReader>(events), standing);
+  for (const auto& posed : drain(told)) EXPECT_FALSE(posed.ego_from_scans);
+}
+
+TEST(ScanFeed, TheMotionIsTheEgosNotThatOfASensorBesideIt) {
+  RandomStream random(4);
+  const Pose2 mount{1, 0.5, 0};
+  std::vector<io::Event> events;
+  for (int k = 0; k < 60; ++k) {
+    events.push_back(
+        room_event(0.1 * k, Pose2{0, 0, 0.03 * k} * mount, random));  // turns on the spot
+  }
+  FeedOptions options;
+  options.mount = Pose3::from_planar(mount);
+  ScanFeed feed(std::make_unique<ListReader>(std::move(events)), options);
+  const auto scans = drain(feed);
+  ASSERT_TRUE(scans[59].ego_from_scans);
+  const Pose2 found = scans[59].world_from_ego.planar();
+  EXPECT_NEAR(std::hypot(found.x_m, found.y_m), 0, 0.06);
+  EXPECT_NEAR(found.heading_rad, 0.03 * 59, 0.05);
+  EXPECT_NEAR(scans[59].twist.speed_m_per_s, 0, 0.15);
+  EXPECT_NEAR(scans[59].twist.lateral_m_per_s, 0, 0.15);
+}
+
+TEST(ScanFeed, WhereThePoseFreezesTheScansTellOnFromThere) {
+  RandomStream random(5);
+  std::vector<io::Event> events;
+  for (int k = 0; k < 400; ++k) {  // a pose at 100 Hz, stuck from 2 s on
+    const double t = 0.01 * k;
+    auto pose = odometry_event(t, 0);
+    std::get<PoseSample>(pose.payload).pose = Pose3::from_planar(on_a_circle(std::min(t, 2.0)));
+    events.push_back(pose);
+    if (k % 10 == 5) events.push_back(room_event(t, on_a_circle(t), random));
+  }
+  ScanFeed feed(std::make_unique<ListReader>(std::move(events),
+                                             std::vector{topic("/odom", "nav_msgs/Odometry")}),
+                {});
+  for (const auto& posed : drain(feed)) {
+    const Pose2 truth = on_a_circle(to_seconds(posed.scan.stamp - at(0)));
+    const Pose2 found = posed.world_from_ego.planar();
+    EXPECT_NEAR(found.x_m, truth.x_m, 0.04);
+    EXPECT_NEAR(found.y_m, truth.y_m, 0.04);
+    EXPECT_NEAR(wrap_pi(found.heading_rad - truth.heading_rad), 0, 0.02);
+  }
+  EXPECT_EQ(feed.diagnostics().count("scan at a frozen ego pose"), 20);
+}
+
+TEST(ScanFeed, SaysWhetherTheMountIsKnown) {
+  const auto mount_is_known = [](std::vector<io::Event> events, const FeedOptions& options) {
+    ScanFeed feed(std::make_unique<ListReader>(std::move(events)), options);
+    return drain(feed).back().mount_is_known;
+  };
+  FeedOptions mounted;
+  mounted.mount = Pose3{};
+  EXPECT_FALSE(mount_is_known({scan_event(0)}, {}));
+  EXPECT_TRUE(mount_is_known({scan_event(0)}, mounted));
+  EXPECT_TRUE(mount_is_known({tf_event(0, "base_link", "laser", 2, true), scan_event(0.5)}, {}));
 }
 
 }  // namespace

@@ -109,11 +109,13 @@ TEST(Workbench, EndsWhileItReads) {
 
 TEST(ScanLog, GivesBackTheScanBitForBit) {
   SimulatedScans source(1);
-  const auto posed = *source.next();
+  auto posed = *source.next();
+  posed->mount_is_known = false;
   const auto back = unpack_scan(pack(*posed));
   ASSERT_TRUE(back);
   EXPECT_EQ(back->scan.stamp, posed->scan.stamp);
   EXPECT_EQ(back->scan.sensor, posed->scan.sensor);
+  EXPECT_FALSE(back->mount_is_known);
   ASSERT_EQ(back->scan.returns.size(), posed->scan.returns.size());
   for (std::size_t i = 0; i < posed->scan.returns.size(); ++i) {
     EXPECT_EQ(back->scan.returns[i].x_m, posed->scan.returns[i].x_m);
