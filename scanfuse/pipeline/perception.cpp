@@ -1,5 +1,6 @@
 #include "scanfuse/pipeline/perception.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -79,6 +80,13 @@ track::Tracker& Perception::tracker_of(const PosedScan& posed) {
                       std::string(frame));
   }
   return trackers_.try_emplace(std::string(frame), options_.track, track_ids_).first->second;
+}
+
+int Perception::number_of(const std::string& sensor) {
+  const auto known = std::find(sensors_.begin(), sensors_.end(), sensor);
+  if (known != sensors_.end()) return static_cast<int>(known - sensors_.begin());
+  sensors_.push_back(sensor);
+  return static_cast<int>(sensors_.size()) - 1;
 }
 
 void Perception::straighten(const PosedScan& posed) {

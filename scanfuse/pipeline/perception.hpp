@@ -106,6 +106,7 @@ class Perception {
   /// Asks the tracker where vehicles will be, in the levelled sensor frame.
   void expect(const PosedScan& posed);
   track::Tracker& tracker_of(const PosedScan& posed);
+  int number_of(const std::string& sensor);
   void give_in_world(const PosedScan& posed, std::span<const Detection> detections);
   void give_in_ego();
 
@@ -117,6 +118,7 @@ class Perception {
   shape::OutlineExtractor outline_;
   classify::Recognizer recognize_;
   std::map<std::string, track::Tracker, std::less<>> trackers_;  ///< by frame; "": the ego's
+  std::vector<std::string> sensors_;
   std::shared_ptr<std::int64_t> track_ids_ = std::make_shared<std::int64_t>(0);
   StepResult result_;
   VirtualScan virtual_scan_;
@@ -153,7 +155,8 @@ void Perception::run(const PosedScan& posed, After& after) {
   const auto detections = recognize_(outlines_);
   after(Stage::kClassify);
   give_in_world(posed, detections);
-  result_.tracks = tracker_of(posed).step(posed.scan.stamp, result_.detections);
+  result_.tracks =
+      tracker_of(posed).step(posed.scan.stamp, result_.detections, number_of(posed.scan.sensor));
   if (options_.pipeline.frame == OutputFrame::kEgo) give_in_ego();
   after(Stage::kTrack);
 }

@@ -23,6 +23,7 @@ namespace scanfuse::simulate {
 [[nodiscard]] World road_users(RandomStream random);
 [[nodiscard]] World mixed_streets(RandomStream random);
 [[nodiscard]] World among_people(RandomStream random);
+[[nodiscard]] World rooms(RandomStream random);
 [[nodiscard]] World curved_road(RandomStream random);
 [[nodiscard]] World curved_road_cyclist(RandomStream random);
 

@@ -23,6 +23,7 @@ constexpr std::array kScenarios{
     Scenario{{"mixed-streets", "road users and clutter on a street of another kind each seed"},
              mixed_streets},
     Scenario{{"among-people", "a robot on a footpath, people from half a metre on"}, among_people},
+    Scenario{{"rooms", "a robot among furniture, with people or without"}, rooms},
     Scenario{{"curved-road", "a bend at up to 0.22 rad/s with oncoming cars"}, curved_road},
     Scenario{{"curved-road-cyclist", "the same, and a cyclist crosses it"}, curved_road_cyclist},
 };

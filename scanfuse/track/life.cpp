@@ -162,7 +162,9 @@ bool is_vague(const Target& target, const TrackerOptions& options) {
 }
 
 bool is_over(const Target& target, Time stamp, const TrackerOptions& options) {
-  if (target.missed_frames == 0) return false;
+  const double unseen_s = to_seconds(stamp - target.seen);
+  // Of a sensor that has fallen silent.
+  if (target.missed_frames == 0) return unseen_s > options.coast_s + kStampRounding_s;
   if (options.coast_frames > 0) return target.missed_frames > options.coast_frames;
   if (target.status == TrackStatus::kTentative) {
     const int window = std::max(options.confirm_window, options.confirm_hits);
@@ -170,7 +172,6 @@ bool is_over(const Target& target, Time stamp, const TrackerOptions& options) {
     const int misses = scans - hits_within(target.history, scans);
     return misses > window - options.confirm_hits;
   }
-  const double unseen_s = to_seconds(stamp - target.seen);
   const double seen_s = to_seconds(target.seen - target.born);
   const auto earned_s = [&](double share) { return std::max(kLeastCoast_s, share * seen_s); };
   const double hidden_share = target.is_steady

@@ -50,6 +50,7 @@ struct Target {
   bool is_steady = false;     ///< was seen in most of the scans before the last that saw it
   std::uint32_t history = 0;  ///< one bit a scan, the latest lowest: 1 is a hit
   int detection = -1;
+  int sensor = 0;  ///< that saw it last
   double nis = 0;
 
   [[nodiscard]] Eigen::Vector2d position_m() const { return {state.mean(kX), state.mean(kY)}; }

@@ -23,13 +23,14 @@ double seconds_between(Time a, Time b) {
 
 }  // namespace
 
-const std::vector<Track>& Tracker::step(Time stamp, std::span<const Detection> detections) {
+const std::vector<Track>& Tracker::step(Time stamp, std::span<const Detection> detections,
+                                        int sensor) {
   const bool same_instant = last_ == stamp;
   const std::optional<double> dt_s = advance_clock(stamp);
   if (dt_s) {
     select_usable(detections);
     predict(targets_, *dt_s, options_);
-    fold_in(stamp, *dt_s, same_instant);
+    fold_in(stamp, *dt_s, same_instant, sensor);
   } else {
     for (Target& target : targets_) target.detection = -1;
   }
@@ -89,7 +90,7 @@ void Tracker::select_usable(std::span<const Detection> detections) {
   }
 }
 
-void Tracker::fold_in(Time stamp, double dt_s, bool same_instant) {
+void Tracker::fold_in(Time stamp, double dt_s, bool same_instant, int sensor) {
   const auto candidates = gated_candidates(targets_, usable_, options_, workspace_);
   const auto& assignment =
       associate_(options_.associator, static_cast<int>(targets_.size()),
@@ -109,8 +110,9 @@ void Tracker::fold_in(Time stamp, double dt_s, bool same_instant) {
       } else {
         update(targets_[t], usable_[d], source_[d], stamp, dt_s, options_);
       }
+      targets_[t].sensor = sensor;
       promote(targets_[t], options_);
-    } else if (same_instant) {
+    } else if (same_instant || targets_[t].sensor != sensor) {
       targets_[t].detection = -1;
     } else {
       if (mixes) targets_[t].state = mixed[t];
@@ -118,7 +120,7 @@ void Tracker::fold_in(Time stamp, double dt_s, bool same_instant) {
     }
   }
   give_up(stamp, dt_s);
-  give_birth(stamp, dt_s, assignment.track_of_detection);
+  give_birth(stamp, dt_s, sensor, assignment.track_of_detection);
   if (!options_.births_inside_tracks) merge_duplicates(targets_, workspace_);
 }
 
@@ -131,7 +133,8 @@ void Tracker::give_up(Time stamp, double dt_s) {
   });
 }
 
-void Tracker::give_birth(Time stamp, double dt_s, std::span<const int> track_of_detection) {
+void Tracker::give_birth(Time stamp, double dt_s, int sensor,
+                         std::span<const int> track_of_detection) {
   const std::size_t elders = targets_.size();
   for (std::size_t d = 0; d < usable_.size(); ++d) {
     if (track_of_detection[d] >= 0) continue;
@@ -143,6 +146,7 @@ void Tracker::give_birth(Time stamp, double dt_s, std::span<const int> track_of_
     } else {
       targets_.push_back(birth(usable_[d], source_[d], ++*ids_, stamp, dt_s, options_));
     }
+    targets_.back().sensor = sensor;
   }
 }
 

@@ -33,9 +33,11 @@ class Tracker {
                    std::shared_ptr<std::int64_t> ids = std::make_shared<std::int64_t>(0))
       : options_(std::move(options)), ids_(std::move(ids)) {}
 
-  /// Folds in one scan's detections. The tracks, in the order in which they were born or found
-  /// again, valid until the next call; `Track::detection` is an index into `detections`.
-  const std::vector<Track>& step(Time stamp, std::span<const Detection> detections);
+  /// Folds in one scan's detections. `sensor` tells several sensors apart: a target is missed by
+  /// scans of the one that saw it last, not by those of others, which may look elsewhere. The
+  /// tracks, in the order in which they were born or found again, valid until the next call;
+  /// `Track::detection` is an index into `detections`.
+  const std::vector<Track>& step(Time stamp, std::span<const Detection> detections, int sensor = 0);
 
   [[nodiscard]] const TrackerOptions& options() const { return options_; }
   [[nodiscard]] const Diagnostics& diagnostics() const { return diagnostics_; }
@@ -49,9 +51,9 @@ class Tracker {
   std::optional<double> advance_clock(Time stamp);
   /// Keeps the usable ones, and where they stood.
   void select_usable(std::span<const Detection> detections);
-  void fold_in(Time stamp, double dt_s, bool same_instant);
+  void fold_in(Time stamp, double dt_s, bool same_instant, int sensor);
   void give_up(Time stamp, double dt_s);
-  void give_birth(Time stamp, double dt_s, std::span<const int> track_of_detection);
+  void give_birth(Time stamp, double dt_s, int sensor, std::span<const int> track_of_detection);
   void report();
 
   TrackerOptions options_;

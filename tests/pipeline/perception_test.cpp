@@ -12,7 +12,7 @@ namespace {
 
 /// A car ahead of the sensor.
 PosedScan car_seen(const std::string& frame_id, double seconds, bool mount_is_known,
-                     RandomStream& random) {
+                   RandomStream& random) {
   PosedScan posed;
   posed.scan.stamp = time_from_seconds(1000 + seconds);
   posed.scan.sensor = frame_id;

@@ -137,6 +137,25 @@ TEST(Simulation, AmongPeopleSomebodyIsNearAndTheScannerIsInNobody) {
   EXPECT_GT(near, 50);
 }
 
+TEST(Simulation, RoomsHavePeopleOrNoneAndTheRobotDrivesThroughNobody) {
+  int with_people = 0, without = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    auto run = simulation("rooms", seed, 100);
+    bool people = false;
+    while (const auto frame = run.next_truth()) {
+      const Eigen::Vector3d sensor = (frame->ego.pose * run.ego_from_sensor()).translation_m;
+      for (const auto& object : frame->truth.objects) {
+        EXPECT_EQ(object.object_class, ObjectClass::kPedestrian);
+        EXPECT_GT((object.position_m - sensor.head<2>()).norm(), 0.3) << "seed " << seed;
+        people = true;
+      }
+    }
+    (people ? with_people : without) += 1;
+  }
+  EXPECT_GT(with_people, 3);
+  EXPECT_GT(without, 0);
+}
+
 TEST(Simulation, TheSensorStandsAsHighAsIsAsked) {
   SimulateOptions options;
   options.height_m = 1.2;

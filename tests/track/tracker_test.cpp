@@ -152,6 +152,29 @@ TEST(Tracker, AnEqualStampMovesNothingAndCountsNoMiss) {
   EXPECT_EQ(after[0].detection, -1);
 }
 
+TEST(Tracker, ATargetIsMissedByTheSensorThatSawItNotByOneThatLooksElsewhere) {
+  Tracker tracker;
+  const auto see = [&](double seconds, int sensor, std::vector<Detection> detections) {
+    return tracker.step(at(seconds), detections, sensor);
+  };
+  std::vector<Track> tracks;
+  for (int k = 0; k < 20; ++k) {  // one ahead of the left scanner, one behind the right one
+    see(0.1 * k, 0, {car_at(20, 0)});
+    tracks = see(0.1 * k + 0.05, 1, {car_at(-20, 0)});
+  }
+  ASSERT_EQ(tracks.size(), 2U);
+  for (const Track& track : tracks) {
+    EXPECT_EQ(track.status, TrackStatus::kConfirmed);
+    EXPECT_EQ(track.missed_frames, 0);
+  }
+  tracks = see(2, 0, {});
+  ASSERT_EQ(tracks.size(), 2U);
+  EXPECT_EQ(tracks[0].status, TrackStatus::kCoasting);
+  EXPECT_EQ(tracks[1].status, TrackStatus::kConfirmed);
+  for (int k = 1; k < 20; ++k) tracks = see(2 + 0.1 * k, 0, {car_at(20, 0)});
+  EXPECT_EQ(tracks.size(), 1U) << "the right scanner fell silent, and what it saw is gone";
+}
+
 TEST(Tracker, AnOlderScanIsLeftOutAndCounted) {
   Tracker tracker;
   for (int k = 0; k < 5; ++k) feed(tracker, 0.08 * k, {car_at(0, 0)});
