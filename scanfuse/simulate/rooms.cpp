@@ -10,8 +10,8 @@
 namespace scanfuse::simulate {
 namespace {
 
-constexpr double kSeconds = 12;
-constexpr double kSensorAhead_m = 3.7;  ///< scanners are mounted so far before the ego's origin
+constexpr double kRoomSeconds = 12;
+constexpr double kScannerAhead_m = 3.7;  ///< scanners are mounted so far before the ego's origin
 constexpr double kCeiling_m = 2.6;
 constexpr double kAisle_m = 1.1;  ///< free to both sides of the robot's way
 constexpr double kLane_m = 0.8;   ///< free to both sides of where people cross it
@@ -172,16 +172,16 @@ void add_walls(Mesh& mesh, const Room& room, RandomStream& random) {
 
 /// Nobody walks into the robot.
 bool keeps_clear(const PlanarMotion& motion, double pace_m_per_s) {
-  for (double t = 0; t <= kSeconds + 1; t += 0.1) {
+  for (double t = 0; t <= kRoomSeconds + 1; t += 0.1) {
     const Pose2 pose = motion.pose(t);
-    if (std::hypot(pose.x_m - kSensorAhead_m - pace_m_per_s * t, pose.y_m) < 0.6) return false;
+    if (std::hypot(pose.x_m - kScannerAhead_m - pace_m_per_s * t, pose.y_m) < 0.6) return false;
   }
   return true;
 }
 
 void add_people(const Cast& cast, const Room& room, double pace_m_per_s, Floor& floor,
                 RandomStream& random) {
-  const double robot_m = kSensorAhead_m;
+  const double robot_m = kScannerAhead_m;
   for (std::uint64_t i = 0, n = random.below(5); i < n; ++i) {  // along the aisle
     const bool towards = random.chance(0.5);
     const double x = towards ? random.uniform(robot_m + 3, room.high_m.x() - 0.5)
@@ -194,7 +194,7 @@ void add_people(const Cast& cast, const Room& room, double pace_m_per_s, Floor& 
     const double side = random.chance(0.5) ? 1 : -1;
     const double y = side > 0 ? room.high_m.y() - 0.4 : room.low_m.y() + 0.4;
     const double x = room.lane_x_m + random.uniform(-0.5, 0.5);
-    const double slowest = (room.high_m.y() - room.low_m.y()) / kSeconds;
+    const double slowest = (room.high_m.y() - room.low_m.y()) / kRoomSeconds;
     const auto walk = straight({x, y, -side * kPi / 2}, random.uniform(0.3, 0.9) * slowest);
     if (keeps_clear(walk, pace_m_per_s)) cast.pedestrian(walk);
   }
@@ -214,9 +214,10 @@ World rooms(RandomStream random) {
   const double pace = random.chance(0.4) ? 0 : random.uniform(0.2, 0.9);
   world.ego = pace > 0 ? straight({}, pace) : standing({});
   Room room;
-  room.low_m = {kSensorAhead_m - random.uniform(1, 6), -random.uniform(2, 7)};
-  room.high_m = {kSensorAhead_m + pace * kSeconds + random.uniform(2.5, 9), random.uniform(2, 7)};
-  room.lane_x_m = random.uniform(kSensorAhead_m + 1, room.high_m.x());
+  room.low_m = {kScannerAhead_m - random.uniform(1, 6), -random.uniform(2, 7)};
+  room.high_m = {kScannerAhead_m + pace * kRoomSeconds + random.uniform(2.5, 9),
+                 random.uniform(2, 7)};
+  room.lane_x_m = random.uniform(kScannerAhead_m + 1, room.high_m.x());
   add_ground(world.fixed, {-40, -40}, {60, 40});
   add_walls(world.fixed, room, random);
   Floor floor(room);
