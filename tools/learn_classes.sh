@@ -13,8 +13,9 @@ recordings=()
 simulate() {
   local heights=(${5:-0})
   for ((scene = 1; scene <= $3; ++scene)); do
-    local file="$work/$1-$2-$scene.mcap"
-    [ -s "$file" ] || "$tool" simulate "$1" -o "$file" --sensor "$2" --seed $(($4 + scene)) \
+    local seed=$(($4 + scene))
+    local file="$work/$1-$2-$seed.mcap"
+    [ -s "$file" ] || "$tool" simulate "$1" -o "$file" --sensor "$2" --seed $seed \
       --set simulate.height_m="${heights[scene % ${#heights[@]}]}" --quiet
     recordings+=("$file")
   done
