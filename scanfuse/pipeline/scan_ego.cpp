@@ -43,7 +43,7 @@ std::optional<ScanEgo::Placement> ScanEgo::operator()(const Scan& scan,
                                                       const Pose3& ego_from_sensor,
                                                       bool mount_is_known) {
   Stream& stream = stream_of(scan, ego_from_sensor, mount_is_known);
-  const Placement placed = place(stream, scan, ego_from_sensor);
+  Placement placed = place(stream, scan, ego_from_sensor);
   if (!stream.odometry.moves()) return std::nullopt;
   return placed;
 }
@@ -56,7 +56,7 @@ std::optional<ScanEgo::Placement> ScanEgo::go_on(const Scan& scan, const Pose3& 
     stream.world_from_start = start.world_from_ego;
     stream.odometry.start_moving(at_sensor(start.twist, stream.ego_from_level));
   }
-  const Placement placed = place(stream, scan, ego_from_sensor);
+  Placement placed = place(stream, scan, ego_from_sensor);
   if (!stream.odometry.is_found()) return std::nullopt;
   return placed;
 }

@@ -148,7 +148,8 @@ void add_walls(Mesh& mesh, const Room& room, RandomStream& random) {
       room.low_m, Eigen::Vector2d(room.high_m.x(), room.low_m.y()), room.high_m,
       Eigen::Vector2d(room.low_m.x(), room.high_m.y())};
   for (std::size_t k = 0; k < 4; ++k) {
-    const Eigen::Vector2d from = corners[k], to = corners[(k + 1) % 4];
+    const Eigen::Vector2d& from = corners[k];
+    const Eigen::Vector2d& to = corners[(k + 1) % 4];
     const double length = (to - from).norm();
     const Eigen::Vector2d along = (to - from) / length, out(along.y(), -along.x());
     for (double s = 0; s < length;) {
