@@ -29,10 +29,10 @@ struct PosedScan {
   Pose3 world_from_ego;
   Pose3 ego_from_sensor;
   PoseBuffer::Twist twist;  ///< of the ego at the scan's stamp
-  bool mount_is_known = true;
-  bool ego_from_scans = false;  ///< nobody tells where the ego is: found by matching scans
   std::string world_frame;  ///< what the recording calls the frames ("odom", "base_link"); where
   std::string ego_frame;    ///< nothing is known of the ego's motion, both are the ego's
+  bool mount_is_known = true;
+  bool ego_from_scans = false;  ///< nobody tells where the ego is: found by matching scans
 };
 
 /// Turns a recording's events into scans with poses, in order of their header stamps as far as they
