@@ -219,18 +219,20 @@ ScanMatch ScanMatcher::descend(const VirtualScan& scan, const ScanPrior& prior,
   return match;
 }
 
-ScanMatch ScanMatcher::operator()(const VirtualScan& scan, const ScanPrior& prior) const {
+ScanMatch ScanMatcher::operator()(const VirtualScan& scan, const ScanPrior& prior,
+                                  std::span<const Pose2> others) const {
   const Pose2& expected = prior.reference_from_scan;
   ScanMatch best;
   best.reference_from_scan = expected;
   if (facets_.empty() || scan.points.empty()) return best;
   best = descend(scan, prior, expected);
-  if (best.fit.share >= kTryOthersBelow) return best;
-  for (const double turn : kOtherTurns_rad) {
-    const Pose2 start{expected.x_m, expected.y_m, wrap_pi(expected.heading_rad + turn)};
-    const ScanMatch other = descend(scan, prior, start);
+  const auto try_from = [&](const Pose2& start) {
+    if (best.fit.share >= kTryOthersBelow) return;
+    const ScanMatch other = descend(scan, prior, expected * start);
     if (other.fit.share > best.fit.share) best = other;
-  }
+  };
+  for (const Pose2& start : others) try_from(start);
+  for (const double turn : kOtherTurns_rad) try_from({0, 0, turn});
   return best;
 }
 

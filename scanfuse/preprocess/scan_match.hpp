@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 #include "scanfuse/geometry/pose.hpp"
@@ -33,14 +34,17 @@ struct ScanPrior {
 /// the distance taken to the line through the reference's neighbours where they lie on one
 /// [Censi2008]; closest by bearing, residuals bounded by weights that tighten from step to step, so
 /// that what moves on its own has no say; regularised by a prior, which decides where the scene
-/// says nothing (along a corridor). At most `kMostCompared` points are compared.
+/// says nothing (along a corridor). Where a match is poor, it is begun anew turned to either side,
+/// and from other starts given, until one is good. At most `kMostCompared` points are compared.
 class ScanMatcher {
  public:
   static constexpr int kMostCompared = 360;
 
   void refer_to(const VirtualScan& scan);
   [[nodiscard]] bool has_reference() const { return !facets_.empty(); }
-  [[nodiscard]] ScanMatch operator()(const VirtualScan& scan, const ScanPrior& prior) const;
+  /// `others`: more starts, seen from the expected pose.
+  [[nodiscard]] ScanMatch operator()(const VirtualScan& scan, const ScanPrior& prior,
+                                     std::span<const Pose2> others = {}) const;
   [[nodiscard]] ScanFit fit_at(const VirtualScan& scan, const Pose2& reference_from_scan) const;
 
  private:

@@ -1,6 +1,7 @@
 #include "scanfuse/preprocess/scan_odometry.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -11,10 +12,10 @@ namespace {
 
 constexpr double kFar_m = 0.3, kFar_rad = 0.2;
 constexpr double kPoorShare = 0.6;
-constexpr double kStillShare = 0.6;
+constexpr double kStillShare = 0.65;
 constexpr double kMovedShare = 0.7;
-constexpr double kLeastGain = 0.25;
-constexpr double kLeastSpread_rad = 2 * std::numbers::pi / 3;
+constexpr double kLeastGain = 0.2;
+constexpr double kLeastSpread_rad = 2.5;
 constexpr int kLeastCompared = 60;
 constexpr int kDoubts = 3;
 constexpr double kReference_s = 2;  ///< what stands is looked at anew after this
@@ -23,6 +24,13 @@ constexpr double kLongestStep_s = 0.5;
 /// Squared deviations by which a motion must explain a scan better than rest.
 constexpr double kRestCost = 12;
 constexpr int kMostLost = 5;
+/// A recording may begin in the middle of a drive.
+constexpr std::array kSpeeds_m_per_s{8.0, 16.0, 24.0, -8.0};
+constexpr double kFastest_m_per_s = 30;
+
+bool is_far(const Pose2& way) {
+  return std::hypot(way.x_m, way.y_m) > kFar_m || std::abs(way.heading_rad) > kFar_rad;
+}
 
 }  // namespace
 
@@ -52,26 +60,31 @@ void ScanOdometry::keep(const VirtualScan& scan, const Pose2& pose) {
   kept_ = scan.stamp;
 }
 
+ScanMatch ScanOdometry::from_any_speed(const VirtualScan& scan, double dt_s) const {
+  std::array<Pose2, kSpeeds_m_per_s.size()> starts;
+  for (std::size_t k = 0; k < starts.size(); ++k) starts[k].x_m = kSpeeds_m_per_s[k] * dt_s;
+  return matcher_(scan, {{}, kFastest_m_per_s * dt_s, dt_s}, starts);
+}
+
 void ScanOdometry::watch(const VirtualScan& scan) {
   const ScanFit still = matcher_.fit_at(scan, {});
   const double age_s = std::max(to_seconds(scan.stamp - kept_), 0.05);
-  if (still.compared < kLeastCompared || still.share > kStillShare) {
+  const bool in_doubt = still.compared >= kLeastCompared && still.share < kStillShare;
+  const ScanMatch moved = in_doubt ? from_any_speed(scan, age_s) : ScanMatch{};
+  if (moved.fit.share < kMovedShare || moved.fit.share - still.share < kLeastGain ||
+      moved.fit.spread_rad < kLeastSpread_rad) {
+    if (in_doubt || doubts_ > 0 || age_s > kReference_s) keep(scan, world_from_sensor_);
     doubts_ = 0;
-    if (age_s > kReference_s) keep(scan, world_from_sensor_);
     return;
   }
-  const ScanMatch moved = matcher_(scan, {{}, age_s, age_s});
-  const bool explained = moved.fit.share > kMovedShare &&
-                         moved.fit.share - still.share > kLeastGain &&
-                         moved.fit.spread_rad > kLeastSpread_rad;
-  doubts_ = explained ? doubts_ + 1 : 0;
-  if (doubts_ >= kDoubts) {
+  const Pose2& way = moved.reference_from_scan;
+  const Pose2 now = world_from_reference_ * way;
+  if (++doubts_ >= kDoubts) {
     moves_ = true;
-    world_from_sensor_ = world_from_reference_ * moved.reference_from_scan;
-    const Pose2& way = moved.reference_from_scan;
+    world_from_sensor_ = now;
     twist_ = Eigen::Vector3d(way.x_m, way.y_m, way.heading_rad) / age_s;
   }
-  if (age_s > kReference_s) keep(scan, world_from_sensor_);
+  if (is_far(way)) keep(scan, now);
 }
 
 void ScanOdometry::follow(const VirtualScan& scan) {
@@ -92,8 +105,7 @@ void ScanOdometry::follow(const VirtualScan& scan) {
   const Pose2 way = before.inverse() * world_from_sensor_;
   twist_ = Eigen::Vector3d(way.x_m, way.y_m, way.heading_rad) / dt_s;
   if (lost_ >= kMostLost) twist_.setZero();
-  const Pose2 gone = reference_from_world * world_from_sensor_;
-  const bool far = std::hypot(gone.x_m, gone.y_m) > kFar_m || std::abs(gone.heading_rad) > kFar_rad;
+  const bool far = is_far(reference_from_world * world_from_sensor_);
   if ((found_ && (far || match.fit.share < kPoorShare)) || lost_ >= kMostLost) {
     keep(scan, world_from_sensor_);
   }

@@ -32,6 +32,7 @@ class ScanOdometry {
 
  private:
   void watch(const VirtualScan& scan);
+  [[nodiscard]] ScanMatch from_any_speed(const VirtualScan& scan, double dt_s) const;
   void follow(const VirtualScan& scan);
   void keep(const VirtualScan& scan, const Pose2& pose);
 

@@ -62,6 +62,25 @@ TEST(ScanOdometry, VehiclesOnAnEmptyPlainAreNoMotionOfTheSensor) {
   EXPECT_FALSE(odometry.moves());
 }
 
+// Its first scans are 1.2 m apart: one is not the neighbour of the other.
+TEST(ScanOdometry, FollowsACarThatIsMetInTheMiddleOfItsDrive) {
+  RandomStream random(6);
+  std::vector<Wall> street;
+  for (double x = -30; x < 80; x += random.uniform(3, 8)) {
+    add_box(street, x, 4 + random.uniform(0, 2), 2, 2);
+    add_box(street, x + 1, -8 + random.uniform(0, 2), 2, 2);
+  }
+  ScanOdometry odometry;
+  Pose2 pose;
+  for (int k = 0; k < 30; ++k) {
+    pose = odometry(look(street, {1.2 * k, 0, 0}, 0.1 * k, random));
+  }
+  EXPECT_TRUE(odometry.moves());
+  EXPECT_NEAR(pose.x_m, 1.2 * 29, 0.5);
+  EXPECT_NEAR(pose.y_m, 0, 0.3);
+  EXPECT_NEAR(odometry.twist().x(), 12, 0.5);
+}
+
 TEST(ScanOdometry, StandsAgainWhenTheRobotDoes) {
   RandomStream random(4);
   ScanOdometry odometry;
